@@ -219,7 +219,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(preconditioner)
       ->excludes(product)
       ->excludes(stepping);
-  app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
+  app.add_option("--out", options.out, "folder for cube.vtkhdf, cube.xdmf, beads.csv, run.json and checkpoint.h5")
       ->type_name("DIR");
   app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")

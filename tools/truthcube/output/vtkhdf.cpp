@@ -6,6 +6,7 @@
 #include <physgen/error.h>
 #include <truthcube/output/hash.h>
 #include <truthcube/output/vtkhdf.h>
+#include <truthcube/output/xdmf.h>
 
 #include <algorithm>
 #include <limits>
@@ -51,6 +52,8 @@ std::string of_mesh(std::uint64_t points, std::uint64_t tets) {
   return std::to_string(points) + " points and " + std::to_string(tets) + " tets";
 }
 
+std::filesystem::path xdmf_of(std::filesystem::path file) { return file.replace_extension(".xdmf"); }
+
 int count_steps(const h5::File& file) {
   if (!file.has(steps_group)) return 0;
   const auto times = static_cast<std::int32_t>(file.shape(in(steps_group, "Values"))[0]);
@@ -93,6 +96,8 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, std::span<const fem::Poin
   const std::vector<std::uint8_t> types(tets.size(), vtk_tetra);
   file.write_dataset<std::uint8_t>(in(root, "Types"), std::span<const std::uint8_t>(types));
   file.close();
+  std::error_code is_none;
+  std::filesystem::remove(xdmf_of(path_), is_none);  // of another run: its steps are gone
 }
 
 std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
@@ -123,13 +128,14 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const
     throw Error(name + " has " + std::to_string(found) + " steps and cannot be continued after step " +
                 std::to_string(steps));
   }
+  for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
+  writer.times_ = file.read_rows(in(steps_group, "Values"), 0, static_cast<hsize_t>(steps));
+  writer.write_xdmf();  // names no more steps than the old file has, and the new one
   if (found > steps) {
     disk::replace_file(writer.path_, [&](const std::filesystem::path& written) {
       copy_steps(file, VtkHdfWriter(written, points, tets), steps);
     });
   }
-  for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
-  writer.steps_ = steps;
   return writer;
 }
 
@@ -147,7 +153,7 @@ void VtkHdfWriter::copy_steps(const h5::File& file, VtkHdfWriter to, int steps) 
     };
     const double time = file.read_rows(in(steps_group, "Values"), step, 1).front();
     const std::vector<Field> points = fields_of(to.points_);
-    to.write_step(time, points, fields_of(to.cells_));
+    to.append_step(time, points, fields_of(to.cells_));
   }
 }
 
@@ -173,13 +179,13 @@ std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::checked_kinds(const Arrays
   for (std::size_t i = 1; i < kinds.size(); ++i) {
     if (kinds[i].name == kinds[i - 1].name) throw Error(path_.string() + ": two fields have the name " + kinds[i].name);
   }
-  if (steps_ > 0 && kinds != arrays.kinds) {
+  if (steps() > 0 && kinds != arrays.kinds) {
     const auto list = [](const std::vector<Arrays::Kind>& all) {
       std::string text;
       for (const Arrays::Kind& kind : all) text += " " + kind.name + "(" + std::to_string(kind.components) + ")";
       return text.empty() ? " none" : text;
     };
-    throw Error(path_.string() + ": step " + std::to_string(steps_ + 1) + " has other " + arrays.what +
+    throw Error(path_.string() + ": step " + std::to_string(steps() + 1) + " has other " + arrays.what +
                 "Data than those before:" + list(kinds) + " instead of" + list(arrays.kinds));
   }
   return kinds;
@@ -195,14 +201,27 @@ std::uint64_t VtkHdfWriter::bytes_of_step() const {
   return bytes;
 }
 
+void VtkHdfWriter::write_xdmf() const {
+  std::vector<XdmfArray> all;
+  for (const Arrays* arrays : {&points_, &cells_}) {
+    for (const auto& [name, components] : arrays->kinds) all.push_back({arrays->what, name, arrays->rows, components});
+  }
+  disk::write_text(xdmf_of(path_), xdmf_text(path_, points_.rows, cells_.rows, all, times_));
+}
+
 void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
+  append_step(time, point_fields, cell_fields);
+  write_xdmf();
+}
+
+void VtkHdfWriter::append_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
   std::vector<Arrays::Kind> point_kinds = checked_kinds(points_, point_fields);
   cells_.kinds = checked_kinds(cells_, cell_fields);
   points_.kinds = std::move(point_kinds);
   disk::reserve_space(path_, bytes_of_step());
   h5::File file = h5::File::open(path_, true);
 
-  const bool first = steps_ == 0;
+  const bool first = steps() == 0;
   const std::string group = first ? first_steps_group : steps_group;
   if (first) {
     for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) file.make_group(name);
@@ -222,7 +241,7 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
     }
   }
 
-  const auto step = static_cast<hsize_t>(steps_);
+  const auto step = static_cast<hsize_t>(steps());
   const auto write_fields = [&](const Arrays& arrays, std::span<const Field> fields) {
     const auto offset = static_cast<std::int64_t>(step * arrays.rows);
     for (const Field& field : fields) {
@@ -236,12 +255,12 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
   file.write_rows(in(group, "NumberOfParts"), step, one<std::int64_t>(1));
   file.flush();
 
-  file.write_attribute(group, "NSteps", one<std::int32_t>(steps_ + 1));
+  file.write_attribute(group, "NSteps", one<std::int32_t>(steps() + 1));
   file.flush();
   file.write_rows(in(group, "Values"), step, one(time));
   if (first) file.rename(first_steps_group, steps_group);
   file.close();
-  ++steps_;
+  times_.push_back(time);
 }
 
 }  // namespace physgen::truthcube

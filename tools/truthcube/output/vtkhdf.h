@@ -1,5 +1,6 @@
-// Writes a tet mesh and fields over time into one VTKHDF file, which ParaView opens. Format: VTK's "VTKHDF format
-// specification", version 2.0, type UnstructuredGrid, with the mesh stored once for all steps.
+// Writes a tet mesh and fields over time into one VTKHDF file, which ParaView opens from 5.12 on, and beside it an XDMF
+// file, by which older ones open it (xdmf.h). Format: VTK's "VTKHDF format specification", version 2.0, type
+// UnstructuredGrid, with the mesh stored once for all steps.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -26,7 +27,8 @@ struct Field {
 
 /// The file is open only inside these functions, and no lock is taken: viewers may read it at any time. Room on the
 /// disk is taken before a step is written, and its data are in the file before the step counts: neither a full disk nor
-/// a kill costs earlier steps. What is left of a step that was not finished is overwritten by the next.
+/// a kill costs earlier steps. What is left of a step that was not finished is overwritten by the next. The XDMF file,
+/// of the same name but for its end, `.xdmf`, is replaced when a step counts; a kill may leave it one step behind.
 class VtkHdfWriter {
  public:
   /// Creates a file with a mesh and no steps, in the place of an old one. Points in metres, stored in double precision.
@@ -45,11 +47,12 @@ class VtkHdfWriter {
   /// @param time what viewers show as time; it should grow from step to step
   /// @throws Error when a later step has other fields, a field has a wrong name or number of values, the disk is too
   /// full (the bytes needed and free are said; there may be room later), or writing fails, after which this process
-  /// cannot write to the file any more. The steps before are then as they were.
+  /// cannot write to the file any more. The steps before are then as they were; where the XDMF file alone cannot be
+  /// written, this one counts, too.
   void write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields);
 
   /// How many steps are in the file.
-  [[nodiscard]] int steps() const { return steps_; }
+  [[nodiscard]] int steps() const { return static_cast<int>(times_.size()); }
 
  private:
   // The fields of the points, or of the cells.
@@ -69,10 +72,12 @@ class VtkHdfWriter {
   [[nodiscard]] static std::vector<Arrays::Kind> kinds_in(const h5::File& file, const Arrays& arrays);
   [[nodiscard]] std::vector<Arrays::Kind> checked_kinds(const Arrays& arrays, std::span<const Field> fields) const;
   [[nodiscard]] std::uint64_t bytes_of_step() const;
+  void append_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields);
+  void write_xdmf() const;
 
   std::filesystem::path path_;
   Arrays points_{"Point", 0, {}}, cells_{"Cell", 0, {}};
-  int steps_ = 0;
+  std::vector<double> times_;  // of all steps
 };
 
 }  // namespace physgen::truthcube
