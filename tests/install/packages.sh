@@ -17,6 +17,8 @@ needed=$(dpkg-deb -f "$folder"/made/libphysgen-dev_*.deb Depends)
 for word in libeigen3-dev libxsimd-dev libtbb-dev cmake; do
   [[ " $needed" == *" $word"* ]] || fail "libphysgen-dev does not need $word, but $needed"
 done
+recommended=$(dpkg-deb -f "$folder"/made/libphysgen-dev_*.deb Recommends)
+[[ $recommended == *"g++"*"make"* ]] || fail "libphysgen-dev recommends neither a compiler nor make, but $recommended"
 needed=$(dpkg-deb -f "$folder"/made/physgen_*.deb Depends)
 for word in "libphysgen-dev (= $version)" libclang-common- libclang-cpp libc6; do
   [[ " $needed" == *" $word"* ]] || fail "physgen does not need $word, but $needed"

@@ -16,7 +16,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libphysgen-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libxsimd-dev (>= 8.1), libtbb-dev, cmake (>= 3.25)")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "libhdf5-dev, libopenmpi-dev")  # for the components hdf5 and distributed
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "g++ (>= 4:12) | c++-compiler, make | ninja-build")  # apt installs them, too
+# For the components hdf5 and distributed, and for modules of Python.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "libhdf5-dev, libopenmpi-dev, pybind11-dev, python3-dev, python3-numpy")
 if(PHYSGEN_HAVE_CLANG)
   list(APPEND CPACK_COMPONENTS_ALL generator)
   set(CPACK_DEBIAN_GENERATOR_PACKAGE_NAME physgen)

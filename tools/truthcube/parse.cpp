@@ -219,7 +219,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(preconditioner)
       ->excludes(product)
       ->excludes(stepping);
-  app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
+  app.add_option("--out", options.out, "folder for cube.vtkhdf, cube.xdmf, beads.csv, run.json and checkpoint.h5")
       ->type_name("DIR");
   const auto* output = add_choice(
       app, "--output", options.output, outputs, "output",

@@ -35,18 +35,26 @@ void expect_no_more_times_than_steps(const std::filesystem::path& path) {
             static_cast<hsize_t>(file.integers("/VTKHDF/Steps", "NSteps").front()));
 }
 
+// The XDMF file is the old one or the new one.
+void expect_whole_xdmf(std::filesystem::path path) {
+  const std::string text = testing::read_text(path.replace_extension(".xdmf"));
+  EXPECT_TRUE(text.ends_with("</Domain>\n</Xdmf>\n")) << text;
+}
+
 TEST_F(InterruptedVtkHdf, kill_or_failure_at_any_write_of_a_step_leaves_the_steps_before) {
   for (const At what : {At::Kill, At::Failure, At::FailureToGrow}) {
     int writes = 0;
     for (bool interrupted = true; interrupted; ++writes) {
       SCOPED_TRACE("way " + std::to_string(static_cast<int>(what)) + " at write " + std::to_string(writes));
       const std::filesystem::path path = copy_with_steps(2);
+      static_cast<void>(scene.append_to(path, 2));
       interrupted = testing::interrupted(what, writes, [&] {
         VtkHdfWriter writer = scene.append_to(path, 2);
         scene.write_step(writer, 2);
       });
       scene.expect_steps(path, 2);
       expect_no_more_times_than_steps(path);
+      expect_whole_xdmf(path);
       VtkHdfWriter writer = scene.append_to(path, 2);
       scene.write_step(writer, 2);
       scene.write_step(writer, 3);

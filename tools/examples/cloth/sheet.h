@@ -1,10 +1,7 @@
 // A sheet of cloth of point masses and springs, and the search of a linear solve over it.
 #include <physgen/schema.h>
-
 namespace sheet {
 using namespace physgen::schema;
-
-/// A point mass.
 struct PHYSGEN_OBJECT(layout(host, aos_padded)) Node {
   PHYSGEN(unit("m")) Vector<3> x;    ///< position
   PHYSGEN(unit("m/s")) Vector<3> v;  ///< velocity
@@ -18,7 +15,6 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded)) Search {
   PHYSGEN(unit("m/s")) Vector<3> p;   ///< direction
   PHYSGEN(unit("N s")) Vector<3> q;   ///< matrix times direction
 };
-/// A spring between two nodes.
 struct PHYSGEN_OBJECT(layout(host, aos)) Spring {
   Vector<2, Index> ends;
   PHYSGEN(unit("m")) Scalar length;  ///< at rest
@@ -26,12 +22,10 @@ struct PHYSGEN_OBJECT(layout(host, aos)) Spring {
   PHYSGEN(unit("N")) Vector<3> f;       ///< on the first end; the second is pulled the other way
   PHYSGEN(unit("N/m")) Symmetric<3> J;  ///< -df/dx of the first end, positive semidefinite
 };
-/// The springs of one node.
 struct PHYSGEN_OBJECT() Range {
   Index begin, end;
 };
-/// A spring that touches a node.
 struct PHYSGEN_OBJECT() Touch {
-  Index spring;
+  Index spring;  ///< that has its end at the node
 };
 }  // namespace sheet

@@ -8,7 +8,7 @@
 
 using namespace physgen;
 
-int main(int count, char** words) {
+int main(int count, char** words) try {
   fem::ReadMesh read = fem::read_gmsh(count > 1 ? words[1] : "lobe.msh");
   for (fem::Point& x : read.rest) x = {1e-3 * x[0], 1e-3 * x[1], 1e-3 * x[2]};  // the mesh is in millimetres
   std::vector<fem::MeshLevel> levels(1);
@@ -27,7 +27,9 @@ int main(int count, char** words) {
   const auto solver = fem::make_solver(levels, loading, settings);
   truthcube::VtkHdfWriter file("lobe.vtkhdf", {read.rest, levels[0].mesh.tets});
   for (const double load : {0.5, 1.0}) {
-    if (solver->solve_to(load, {}).status != fem::NewtonStatus::converged) return 3;
+    if (solver->solve_to(load, {}).status != fem::NewtonStatus::converged) {
+      return std::fprintf(stderr, "softbody: no equilibrium at a load of %g; try smaller steps\n", load), 3;
+    }
     const auto positions = solver->positions();
     std::vector<double> moved(3 * positions.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = positions[i / 3][i % 3] - read.rest[i / 3][i % 3];
@@ -35,4 +37,6 @@ int main(int count, char** words) {
     const fem::Point held = fem::reaction_of(fem::group_named(read.groups, "base").nodes, levels[0], solver->forces());
     std::printf("load %g: reaction of base (%.5g, %.5g, %.5g) N\n", load, held[0], held[1], held[2]);
   }
+} catch (const std::exception& error) {
+  return std::fprintf(stderr, "%s\n", error.what()), 1;
 }

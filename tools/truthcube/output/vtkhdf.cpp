@@ -4,8 +4,8 @@
 #include <files/disk.h>
 #include <hdf5/h5.h>
 #include <physgen/error.h>
-#include <truthcube/output/hash.h>
 #include <truthcube/output/vtkhdf.h>
+#include <truthcube/output/xdmf.h>
 
 #include <algorithm>
 #include <functional>
@@ -48,31 +48,13 @@ hsize_t chunk_rows(std::uint64_t rows, int components) {
 // A dataset of 1 component has 1 dimension.
 hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
 
-std::string of_mesh(std::uint64_t points, std::uint64_t cells, bool tets) {
-  return std::to_string(points) + " points and " + std::to_string(cells) + (tets ? " tets" : " triangles");
-}
-std::string of_mesh(const ViewedMesh& mesh) {
-  return of_mesh(mesh.points.size(), mesh.cells(), mesh.corners_of_cell == 4);
-}
-
-// Of tets without groups mesh_hash().
-std::uint64_t hash_of(const ViewedMesh& mesh) {
-  Hash hash;
-  hash.add(std::as_bytes(mesh.points));
-  hash.add(std::as_bytes(mesh.corners));
-  if (mesh.corners_of_cell != 4) hash.add(mesh.corners_of_cell);
-  for (const CellGroup& group : mesh.groups) {
-    hash.add(std::as_bytes(std::span(group.name)));
-    hash.add(std::as_bytes(std::span(group.is_in)));
-  }
-  return hash.value();
-}
-
 void require_usable(const std::string& name, const std::function<Error(const std::string&)>& error) {
   if (name.empty() || name.find_first_of("/.") != std::string::npos) {
     throw error("has no usable name: a name is not empty and has no '/' and no '.'");
   }
 }
+
+std::filesystem::path xdmf_of(std::filesystem::path file) { return file.replace_extension(".xdmf"); }
 
 int count_steps(const h5::File& file) {
   if (!file.has(steps_group)) return 0;
@@ -83,9 +65,9 @@ int count_steps(const h5::File& file) {
 }  // namespace
 
 VtkHdfWriter::VtkHdfWriter(Unopened /*as it is*/, std::filesystem::path path, const ViewedMesh& mesh)
-    : path_(std::move(path)) {
+    : path_(std::move(path)), corners_of_cell_(mesh.corners_of_cell) {
   if (mesh.points.empty() || mesh.cells() == 0) {
-    throw Error(path_.string() + ": a mesh of " + of_mesh(mesh) + " cannot be written; there must be some");
+    throw Error(path_.string() + ": a mesh of " + in_words(mesh) + " cannot be written; there must be some");
   }
   points_.rows = mesh.points.size();
   cells_.rows = mesh.cells();
@@ -134,6 +116,8 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, const ViewedMesh& mesh)
     file.write_dataset<std::uint8_t>(in(data_group("Cell"), group.name), std::span<const std::uint8_t>(group.is_in));
   }
   file.close();
+  std::error_code is_none;
+  std::filesystem::remove(xdmf_of(path_), is_none);  // of another run: its steps are gone
 }
 
 std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
@@ -157,21 +141,22 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, const ViewedMes
   if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != hash_of(mesh)) {
     const auto cells = file.shape(in(root, "Types"))[0], corners = file.shape(in(root, "Connectivity"))[0];
     throw Error(name + " holds another mesh, with " +
-                of_mesh(file.shape(in(root, "Points"))[0], cells, corners == 4 * cells) + ", than this one of " +
-                of_mesh(mesh));
+                in_words(file.shape(in(root, "Points"))[0], cells, corners / cells) + ", than this one of " +
+                in_words(mesh));
   }
   const int found = count_steps(file);
   if (found < steps) {
     throw Error(name + " has " + std::to_string(found) + " steps and cannot be continued after step " +
                 std::to_string(steps));
   }
+  for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
+  writer.times_ = file.read_rows(in(steps_group, "Values"), 0, static_cast<hsize_t>(steps));
+  writer.write_xdmf();  // names no more steps than the old file has, and the new one
   if (found > steps) {
     disk::replace_file(writer.path_, [&](const std::filesystem::path& written) {
       copy_steps(file, VtkHdfWriter(written, mesh), steps);
     });
   }
-  for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
-  writer.steps_ = steps;
   return writer;
 }
 
@@ -189,7 +174,7 @@ void VtkHdfWriter::copy_steps(const h5::File& file, VtkHdfWriter to, int steps) 
     };
     const double time = file.read_rows(in(steps_group, "Values"), step, 1).front();
     const std::vector<Field> points = fields_of(to.points_);
-    to.write_step(time, points, fields_of(to.cells_));
+    to.append_step(time, points, fields_of(to.cells_));
   }
 }
 
@@ -216,13 +201,13 @@ std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::checked_kinds(const Arrays
   for (std::size_t i = 1; i < kinds.size(); ++i) {
     if (kinds[i].name == kinds[i - 1].name) throw Error(path_.string() + ": two fields have the name " + kinds[i].name);
   }
-  if (steps_ > 0 && kinds != arrays.kinds) {
+  if (steps() > 0 && kinds != arrays.kinds) {
     const auto list = [](const std::vector<Arrays::Kind>& all) {
       std::string text;
       for (const Arrays::Kind& kind : all) text += " " + kind.name + "(" + std::to_string(kind.components) + ")";
       return text.empty() ? " none" : text;
     };
-    throw Error(path_.string() + ": step " + std::to_string(steps_ + 1) + " has other " + arrays.what +
+    throw Error(path_.string() + ": step " + std::to_string(steps() + 1) + " has other " + arrays.what +
                 "Data than those before:" + list(kinds) + " instead of" + list(arrays.kinds));
   }
   return kinds;
@@ -238,14 +223,28 @@ std::uint64_t VtkHdfWriter::bytes_of_step() const {
   return bytes;
 }
 
+void VtkHdfWriter::write_xdmf() const {
+  std::vector<XdmfArray> all;
+  for (const Arrays* arrays : {&points_, &cells_}) {
+    for (const auto& [name, components] : arrays->kinds) all.push_back({arrays->what, name, arrays->rows, components});
+  }
+  disk::write_text(xdmf_of(path_),
+                   xdmf_text(path_, {points_.rows, cells_.rows, corners_of_cell_, cells_.groups}, all, times_));
+}
+
 void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
+  append_step(time, point_fields, cell_fields);
+  write_xdmf();
+}
+
+void VtkHdfWriter::append_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
   std::vector<Arrays::Kind> point_kinds = checked_kinds(points_, point_fields);
   cells_.kinds = checked_kinds(cells_, cell_fields);
   points_.kinds = std::move(point_kinds);
   disk::reserve_space(path_, bytes_of_step());
   h5::File file = h5::File::open(path_, true);
 
-  const bool first = steps_ == 0;
+  const bool first = steps() == 0;
   const std::string group = first ? first_steps_group : steps_group;
   if (first) {
     for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) {
@@ -270,7 +269,7 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
     }
   }
 
-  const auto step = static_cast<hsize_t>(steps_);
+  const auto step = static_cast<hsize_t>(steps());
   const auto write_fields = [&](const Arrays& arrays, std::span<const Field> fields) {
     const auto offset = static_cast<std::int64_t>(step * arrays.rows);
     for (const Field& field : fields) {
@@ -287,12 +286,12 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
   file.write_rows(in(group, "NumberOfParts"), step, one<std::int64_t>(1));
   file.flush();
 
-  file.write_attribute(group, "NSteps", one<std::int32_t>(steps_ + 1));
+  file.write_attribute(group, "NSteps", one<std::int32_t>(steps() + 1));
   file.flush();
   file.write_rows(in(group, "Values"), step, one(time));
   if (first) file.rename(first_steps_group, steps_group);
   file.close();
-  ++steps_;
+  times_.push_back(time);
 }
 
 }  // namespace physgen::truthcube

@@ -1,8 +1,9 @@
-// Writes a mesh of tets, or of triangles, and fields over time into one VTKHDF file, which ParaView opens. Format:
-// VTK's "VTKHDF format specification", version 2.0, type UnstructuredGrid, with the mesh stored once for all steps.
+// Writes a mesh of tets, or of triangles, and fields over time into one VTKHDF file, which ParaView opens from 5.12 on,
+// and beside it an XDMF file, by which older ones open it (xdmf.h). Format: VTK's "VTKHDF format specification",
+// version 2.0, type UnstructuredGrid, with the mesh stored once for all steps.
 #pragma once
 
-#include <fem/mesh/mesh.h>
+#include <truthcube/output/viewed_mesh.h>
 
 #include <array>
 #include <cstddef>
@@ -18,36 +19,6 @@ class File;
 
 namespace physgen::truthcube {
 
-/// 1 in cells that belong to a group, 0 in others.
-struct CellGroup {
-  std::string name;  ///< as of fields
-  std::vector<std::uint8_t> is_in;
-};
-
-/// Points in metres and cells of one kind, as viewers see them: tets, or the triangles of a surface.
-struct ViewedMesh {
-  std::span<const fem::Point> points;   ///< stored in double precision
-  std::span<const fem::Index> corners;  ///< of all cells, behind each other
-  std::size_t corners_of_cell;
-  std::span<const CellGroup> groups;  ///< stored once, as fields of the cells
-
-  ViewedMesh(std::span<const fem::Point> points_of_all, std::span<const std::array<fem::Index, 4>> tets,
-             std::span<const CellGroup> groups_of_cells = {})
-      : points(points_of_all), corners(flat(tets)), corners_of_cell(4), groups(groups_of_cells) {}
-  ViewedMesh(std::span<const fem::Point> points_of_all, std::span<const std::array<fem::Index, 3>> triangles,
-             std::span<const CellGroup> groups_of_cells = {})
-      : points(points_of_all), corners(flat(triangles)), corners_of_cell(3), groups(groups_of_cells) {}
-
-  [[nodiscard]] std::size_t cells() const { return corners.size() / corners_of_cell; }
-
- private:
-  // Arrays have no gaps between them: flat, they are the same numbers.
-  template <class Cell>
-  static std::span<const fem::Index> flat(std::span<const Cell> cells) {
-    return {cells.empty() ? nullptr : cells.front().data(), std::tuple_size_v<Cell> * cells.size()};
-  }
-};
-
 /// Values of one field at the points, or in the cells, of one step.
 struct Field {
   std::string name;                ///< shown by viewers; neither empty nor with '/' or '.'
@@ -57,7 +28,8 @@ struct Field {
 
 /// The file is open only inside these functions, and no lock is taken: viewers may read it at any time. Room on the
 /// disk is taken before a step is written, and its data are in the file before the step counts: neither a full disk nor
-/// a kill costs earlier steps. What is left of a step that was not finished is overwritten by the next.
+/// a kill costs earlier steps. What is left of a step that was not finished is overwritten by the next. The XDMF file,
+/// of the same name but for its end, `.xdmf`, is replaced when a step counts; a kill may leave it one step behind.
 class VtkHdfWriter {
  public:
   /// Creates a file with a mesh and no steps, in the place of an old one.
@@ -75,11 +47,12 @@ class VtkHdfWriter {
   /// @param time what viewers show as time; it should grow from step to step
   /// @throws Error when a later step has other fields, a field has a wrong name or number of values, the disk is too
   /// full (the bytes needed and free are said; there may be room later), or writing fails, after which this process
-  /// cannot write to the file any more. The steps before are then as they were.
+  /// cannot write to the file any more. The steps before are then as they were; where the XDMF file alone cannot be
+  /// written, this one counts, too.
   void write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields);
 
   /// How many steps are in the file.
-  [[nodiscard]] int steps() const { return steps_; }
+  [[nodiscard]] int steps() const { return static_cast<int>(times_.size()); }
 
  private:
   // The fields of the points, or of the cells.
@@ -101,10 +74,13 @@ class VtkHdfWriter {
   [[nodiscard]] static std::vector<Arrays::Kind> kinds_in(const h5::File& file, const Arrays& arrays);
   [[nodiscard]] std::vector<Arrays::Kind> checked_kinds(const Arrays& arrays, std::span<const Field> fields) const;
   [[nodiscard]] std::uint64_t bytes_of_step() const;
+  void append_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields);
+  void write_xdmf() const;
 
   std::filesystem::path path_;
+  std::size_t corners_of_cell_;
   Arrays points_{"Point", 0, {}, {}}, cells_{"Cell", 0, {}, {}};
-  int steps_ = 0;
+  std::vector<double> times_;  // of all steps
 };
 
 }  // namespace physgen::truthcube

@@ -6,27 +6,15 @@
 
 namespace sheet {
 
-namespace {
-
-template <int kLanes>
-Result run(const Setting& setting, int steps) {
-  Sheet sheet(setting);
+Result run_kernels(int side, int steps) {
+  Cloth cloth(side);
   Result result;
   for (int step = 0; step < steps; ++step) {
-    result.spring_seconds += ports::seconds_of([&] { sheet.compute_springs<kLanes>(); });
-    result.search_seconds += ports::seconds_of([&] { result.iterations += sheet.solve_and_move<kLanes>(); });
+    result.spring_seconds += ports::seconds_of([&] { cloth.compute_springs(); });
+    result.search_seconds += ports::seconds_of([&] { result.iterations += cloth.solve_and_move(); });
   }
-  for (index_t i = 0; i < sheet.nodes.size(); ++i) {
-    const Eigen::Vector3d x = sheet.nodes[i].x();
-    result.positions.push_back({x[0], x[1], x[2]});
-  }
+  for (const auto node : cloth.nodes) result.positions.push_back({node.x()[0], node.x()[1], node.x()[2]});
   return result;
-}
-
-}  // namespace
-
-Result run_kernels(const Setting& setting, int steps, bool one_lane) {
-  return one_lane ? run<1>(setting, steps) : run<0>(setting, steps);
 }
 
 }  // namespace sheet

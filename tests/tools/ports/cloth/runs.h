@@ -1,9 +1,9 @@
 // The two programs.
 #pragma once
 
-#include <setting.h>
-
 #include <vector>
+
+#include "setting.h"
 
 namespace sheet {
 
@@ -16,7 +16,7 @@ struct Result {
 /// Plain loops over structs.
 Result run_plain(const Setting& setting, int steps);
 
-/// The same by kernels. @param one_lane whether one object at a time, else as the library chooses
-Result run_kernels(const Setting& setting, int steps, bool one_lane);
+/// The example. @param side nodes along each side of its sheet, which is that of make_setting(side)
+Result run_kernels(int side, int steps);
 
 }  // namespace sheet

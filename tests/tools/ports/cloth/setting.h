@@ -1,4 +1,4 @@
-// What both programs share: the sheet as it begins, and the constants of the method.
+// The sheet of the plain program as it begins, and the constants of the method; those of the example stand in cloth.h.
 #pragma once
 
 #include <array>
