@@ -194,7 +194,6 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
     step(plain, whole, chosen);
     step(on, mine, chosen);
   }
-  overlapped += on.traffic().overlapped;
   index_t found = differences(arrays, mine.positions, whole.positions) +
                   differences(arrays, mine.forces, whole.forces) + differences(arrays, mine.springs, whole.springs) +
                   differences(arrays, mine.means, whole.means) + differences(arrays, mine.shares, whole.shares);
@@ -204,11 +203,15 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
     for (int k = 0; k < 3; ++k) found += back.getdata(i, k) == whole.positions.getdata(i, k) ? 0 : 1;
   }
   if (back.size() != (ranks.is_first() ? nodes : 0)) ++found;
-  std::vector<index_t> of_all(static_cast<std::size_t>(ranks.count()));
-  const std::vector<index_t> sizes(of_all.size(), sizeof(index_t));
-  arrays.transport().gather(std::as_bytes(std::span(&found, 1)), sizes, std::as_writable_bytes(std::span(of_all)));
+  const std::array<index_t, 2> mine_of_both{found, on.traffic().overlapped};
+  std::vector<std::array<index_t, 2>> of_all(static_cast<std::size_t>(ranks.count()));
+  const std::vector<index_t> sizes(of_all.size(), sizeof mine_of_both);
+  arrays.transport().gather(std::as_bytes(std::span(mine_of_both)), sizes, std::as_writable_bytes(std::span(of_all)));
   index_t sum = 0;
-  for (const index_t one : of_all) sum += one;
+  for (const auto& [differences_there, overlapped_there] : of_all) {
+    sum += differences_there;
+    overlapped += overlapped_there;
+  }
   if (sum > 0 && ranks.is_first()) {
     std::printf("seed %u: %lld nodes, %zu edges, %zu quads: %lld differences\n", seed, static_cast<long long>(nodes),
                 graph.edges.size(), graph.quads.size(), static_cast<long long>(sum));
@@ -246,7 +249,7 @@ int run(int argc, char** argv) {
     if (what == "--most") most = std::atoi(argv[a + 1]);
     if (what == "--without") uses = without(static_cast<std::size_t>(std::atoi(argv[a + 1])));
   }
-  index_t found = 0, overlapped = 0;  // of rank 0
+  index_t found = 0, overlapped = 0;
   for (unsigned seed = first; seed < last; ++seed) {
     ranks.guard([&] {
       if (seed % 3 == 0) found += run_seed<InFloat>(ranks, uses, seed, most, overlapped);
