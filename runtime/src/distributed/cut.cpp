@@ -20,7 +20,10 @@ void require_object(const DistributedSet& set, index_t number, index_t by) {
 void Partition::cut() {
   if (is_cut_) throw Error("cut() was called a second time; make other arrays");
   std::string text;
-  for (const DistributedSet& set : sets_) text += set.name + ":" + std::to_string(set.size) + " ";
+  for (const DistributedSet& set : sets_) {
+    text += set.name + ":" + std::to_string(set.size) + " ";
+    if (set.same_as >= 0) text += "same as " + sets_[static_cast<std::size_t>(set.same_as)].name + " ";
+  }
   ranks_.agree("list of sets and sizes", text);
   text.clear();
   for (const HaloUse& use : uses_) {
@@ -43,6 +46,10 @@ void Partition::cut() {
   }
   decide_runs();
   find_ghosts();
+  for (DistributedSet& set : sets_) {  // what was connected by the other name asks it for local numbers
+    if (set.same_as >= 0) set.local = sets_[static_cast<std::size_t>(number_of(set.name))].local;
+  }
+  find_reached();
   is_cut_ = true;
   for (DistributedArray& array : arrays_) {
     const DistributedSet& set = sets_[static_cast<std::size_t>(array.set)];

@@ -18,7 +18,10 @@ void Partition::add_set(const std::string& name, index_t size, DistributedSet::K
   for (const DistributedSet& other : sets_) {
     if (other.name == name) throw Error("there are two sets " + name + "; give each a name of its own");
   }
-  sets_.push_back({name, size, kind, -1, {}, {}});
+  DistributedSet& added = sets_.emplace_back();
+  added.name = name;
+  added.size = size;
+  added.kind = kind;
 }
 
 void Partition::follow(std::string_view set, std::string_view target) {
@@ -30,13 +33,44 @@ void Partition::follow(std::string_view set, std::string_view target) {
                 ", since all ranks have all objects of one of them; remove follow()");
   }
   const int number = number_of(target);
-  const bool is_followed =
-      std::ranges::any_of(sets_, [&](const DistributedSet& of) { return of.follows == number_of(set); });
-  if (&one == &other || other.follows >= 0 || is_followed) {
+  if (&one == &other || other.follows >= 0 || is_followed(number_of(set))) {
     throw Error("set " + one.name + " follows " + other.name +
                 ", and one of them follows another set or is followed; let a set follow one that follows none");
   }
   one.follows = number;
+}
+
+bool Partition::is_followed(int set) const {
+  return std::ranges::any_of(sets_, [&](const DistributedSet& of) { return of.follows == set; });
+}
+
+void Partition::same_set(std::string_view set, std::string_view other) {
+  const int from = number_of(set), to = number_of(other);
+  DistributedSet& one = sets_[static_cast<std::size_t>(from)];
+  DistributedSet& kept = sets_[static_cast<std::size_t>(to)];
+  const std::string what = "set " + std::string(set) + " cannot be the same as " + std::string(other) + ", since ";
+  if (is_cut_) throw Error(what + "cut() was called; say so before it");
+  if (from == to) return;
+  const auto is_owned = [](const DistributedSet& of) { return of.kind == DistributedSet::Kind::owned; };
+  if (!is_owned(one) || !is_owned(kept)) throw Error(what + "ranks own parts of only one of them; remove same_set()");
+  if (one.size != kept.size) {
+    throw Error(what + "they have " + std::to_string(one.size) + " and " + std::to_string(kept.size) +
+                " objects; give both the same number, or remove same_set()");
+  }
+  const int follows = kept.follows >= 0 ? kept.follows : one.follows;
+  const bool follow_two = one.follows >= 0 && one.follows != follows;
+  if (follow_two || (follows >= 0 && (follows == from || follows == to || is_followed(from) || is_followed(to)))) {
+    throw Error(what + "together they would follow two sets, or follow one and be followed; correct follow()");
+  }
+  kept.follows = follows;
+  one.follows = -1;
+  one.kind = DistributedSet::Kind::same;
+  one.same_as = to;
+  const auto rename = [&](int& number) { number = number == from ? to : number; };
+  for (DistributedSet& each : sets_) rename(each.follows);
+  for (DistributedArray& array : arrays_) rename(array.set);
+  for (Naming& naming : namings_) rename(naming.source), rename(naming.target);
+  for (Connection& connection : connections_) rename(connection.source), rename(connection.target);
 }
 
 void Partition::add_array(DistributedArray array) {
@@ -55,7 +89,13 @@ void Partition::add_array(DistributedArray array) {
 int Partition::number_of(std::string_view set) const {
   std::string all;
   for (std::size_t s = 0; s < sets_.size(); ++s) {
-    if (sets_[s].name == set) return static_cast<int>(s);
+    if (sets_[s].name == set) {
+      auto found = static_cast<int>(s);
+      while (sets_[static_cast<std::size_t>(found)].same_as >= 0) {
+        found = sets_[static_cast<std::size_t>(found)].same_as;
+      }
+      return found;
+    }
     all += " " + sets_[s].name;
   }
   throw Error("there is no set " + std::string(set) + "; there are:" + all);

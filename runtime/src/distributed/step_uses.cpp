@@ -107,7 +107,7 @@ int HaloSteps::set_of(const std::vector<Use>& uses, index_t size) {
     if (found >= 0 && found != set) {
       throw Error(kernels + " uses own objects of two sets, " + arrays_.sets()[static_cast<std::size_t>(found)].name +
                   " and " + arrays_.sets()[static_cast<std::size_t>(set)].name +
-                  "; correct its rows in the table of kernels");
+                  "; correct its rows in the table of kernels, or say same_set() where they have the same objects");
     }
     found = set;
   }
@@ -174,11 +174,20 @@ void HaloSteps::add_gathered(Step& step, const Use& use) const {
   const DistributedSet& over = arrays_.sets()[static_cast<std::size_t>(step.set)];
   if (set_of_array(use.field.array).kind != DistributedSet::Kind::owned) return;
   step.gathered.insert(use.field);
+  const auto& namings = arrays_.namings();
+  const auto is_this = [&](const Partition::Naming& naming) { return naming.field == name_of(use.field); };
+  const auto indices = std::ranges::find_if(namings, is_this);
+  if (use.is_known && indices != namings.end()) {
+    const DistributedSet& source = arrays_.sets()[static_cast<std::size_t>(indices->source)];
+    if (source.kind == DistributedSet::Kind::owned && source.follows < 0) {
+      throw Error(use.kernel + " reads " + indices->field + " of other objects, whose set " + source.name +
+                  " follows no set, so that ranks have neither their rows nor all that they name; let it follow one");
+    }
+  }
   // Of the objects that are computed here, all that they name is here. What those name in turn is not, unless they are
   // computed here, too.
   bool is_found = !use.through.empty();
   for (const std::string& through : use.through) {
-    const auto& namings = arrays_.namings();
     const auto naming = std::ranges::find(namings, through, &Partition::Naming::field);
     is_found &= naming != namings.end();
     if (naming != namings.end() && !reaches(step, *naming)) {

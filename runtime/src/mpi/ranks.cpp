@@ -4,8 +4,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <thread>
 #include <vector>
 
 #include "../distributed/launcher.h"
@@ -36,6 +40,32 @@ std::vector<std::string> texts_of_all(std::string_view mine, int ranks) {
     texts.push_back(all.substr(static_cast<std::size_t>(begins[r]), static_cast<std::size_t>(lengths[r])));
   }
   return texts;
+}
+
+/// Tells ranks above that this one fails, and whether one below does with the same message, which then says it. What
+/// all ranks find, they find at about the same time: this waits for two seconds.
+bool is_said_below(const std::string& message, int rank, int ranks) {
+  constexpr int tag = 2049;
+  static std::uint64_t mine;  // until the process ends, as messages on their way have it
+  mine = std::hash<std::string>()(message);
+  for (int above = rank + 1; above < ranks; ++above) {
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Isend(&mine, 1, MPI_UINT64_T, above, tag, MPI_COMM_WORLD, &request);
+  }
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  while (rank > 0 && std::chrono::steady_clock::now() < until) {
+    int has_come = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, tag, MPI_COMM_WORLD, &has_come, &status);
+    if (has_come == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      continue;
+    }
+    std::uint64_t other = 0;
+    MPI_Recv(&other, 1, MPI_UINT64_T, status.MPI_SOURCE, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    if (other == mine) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -94,8 +124,12 @@ void Ranks::agree(std::string_view what, std::string_view value) const {
 
 void Ranks::fail(const std::string& message) const {
   if (count_ == 1) throw Error(message);
-  std::fprintf(stderr, "%s: %s\n", name().c_str(), message.c_str());
-  std::fflush(stderr);
+  if (is_said_below(message, rank_, count_)) {
+    std::this_thread::sleep_for(std::chrono::seconds(30));  // that rank ends all
+  } else {
+    std::fprintf(stderr, "%s: %s\n", name().c_str(), message.c_str());
+    std::fflush(stderr);
+  }
   MPI_Abort(MPI_COMM_WORLD, 1);
   std::abort();
 }

@@ -29,6 +29,22 @@ TEST(SymmetricProductOnHost, gives_the_same_bits_with_any_number_of_threads) {
             0);
 }
 
+TEST(SymmetricProductOnHost, leaves_out_the_first_edges_where_these_stand_for_none) {
+  constexpr index_t first = 41;
+  ProductScene<float, Host, Aosoa<16>> scene(make_box_mesh(3, 3, 3), 11);
+  EdgeList edges = scene.mesh.edges;
+  for (std::size_t e = 0; e < first; ++e) edges[e] = {-1, -1};
+  const EdgeSums sums(scene.mesh.nodes, edges, SpaceKind::host, sizeof(float), SumOrder::fixed, first);
+  multiply(Host{}, scene.product(), sums, SumOrder::fixed);
+  const auto without = scene.result();
+  for (index_t e = 0; e < first; ++e) scene.edge_stiffness[e].E() = Eigen::Matrix3f(Eigen::Matrix3f::Zero());
+  multiply(Host{}, scene.product(), EdgeSums(scene.mesh, SpaceKind::host, sizeof(float)), SumOrder::fixed);
+  const auto zeroed = scene.result();
+  for (index_t i = 0; i < without.size(); ++i) {
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(without.getdata(i, k), zeroed.getdata(i, k)) << "node " << i;
+  }
+}
+
 std::string refused(const TetMesh& mesh) {
   try {
     const EdgeSums sums(mesh, SpaceKind::host, 4);

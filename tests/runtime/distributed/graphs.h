@@ -5,6 +5,7 @@
 #include <elasticity.physgen.h>
 #include <physgen/distributed/halo_uses.h>
 #include <physgen/executor.h>
+#include <physgen/kernel.h>
 
 #include <array>
 #include <random>
@@ -156,6 +157,44 @@ struct Lengths {
 template <class... V>
 Lengths(V...) -> Lengths<V...>;
 
+/// Forces of a part of the springs, and their squares.
+template <class EdgeView, class PositionView, class SpringView>
+struct PullPart {
+  using Scalar = typename SpringView::Precision;
+  index_t first;
+  EdgeView edges;
+  PositionView positions;
+  SpringView springs;
+  double operator()(SingleObject auto i) const {
+    const auto own = object_of_part(first, i);
+    const auto nodes = edges[own].nodes().get();
+    const auto d = (positions[nodes[0]].x().get() - positions[nodes[1]].x().get()).eval();
+    springs[own].f() = d;
+    return double(d.squaredNorm());
+  }
+};
+template <class... V>
+PullPart(index_t, V...) -> PullPart<V...>;
+
+/// Does what SumPulls would, with a loop of its own: for what is here.
+template <class Kernel>
+struct SumAtOnce {
+  Kernel kernel;
+  index_t nodes;
+  void operator()(Stream /*stream*/) const {
+    for (index_t i = nodes - 1; i >= 0; --i) kernel(i);
+  }
+};
+template <class On, class Kernel>
+void sum_at_once(On& on, index_t nodes, const Kernel& kernel) {
+  const SumAtOnce<Kernel> work{kernel, nodes};
+  if constexpr (requires { on.perform(work, kernel, nodes); }) {
+    on.perform(work, kernel, nodes);
+  } else {
+    on.perform(work);
+  }
+}
+
 template <class StateView>
 struct Store {
   StateView state;
@@ -195,6 +234,8 @@ inline constexpr HaloUse table[] = {
     {"graphs::Drift", 0, "dx", own},
     {"graphs::Drift", 1, "x", changed},
     {"graphs::Lengths", 0, "x", others, "b.edges.nodes"},
+    {"graphs::PullPart", 1, "x", others, "b.edges.nodes"},
+    {"graphs::PullPart", 2, "f", written},
     {"graphs::Pull", 0, "nodes", own},
     {"graphs::SumPulls", 0, "begin", own},
     {"graphs::SumPulls", 0, "end", own},
@@ -210,8 +251,9 @@ inline constexpr HaloUse table[] = {
     {"graphs::AddShares", 0, "end", own},
     {"graphs::AddShares", 1, "element", others, of_touches},
     {"graphs::Lengths", 1, "nodes", own},
+    {"graphs::PullPart", 0, "nodes", own},
 };
-inline constexpr std::size_t rows_that_count = 18;
+inline constexpr std::size_t rows_that_count = 20;
 
 /// A graph of nodes, edges and quads (of four nodes, some of them twice).
 struct Graph {

@@ -9,6 +9,8 @@
 //   --kill R        rank R is killed before its steps, by a signal that it cannot handle
 //   --options TEXT  must be equal on all ranks
 //   --sizes R       rank R has another mesh
+//   --fail R        rank R and those above find the same error
+//   --near          no edges to far nodes
 #include <physgen/distributed/executor.h>
 #include <physgen/threads.h>
 
@@ -31,7 +33,7 @@ struct Mesh {
   std::vector<std::array<index_t, 2>> edges;
   std::vector<std::vector<elasticity::Incidence<float>>> ends;
 
-  explicit Mesh(index_t cells) : side(cells + 1), ends(static_cast<std::size_t>(side * side * side)) {
+  Mesh(index_t cells, bool is_near) : side(cells + 1), ends(static_cast<std::size_t>(side * side * side)) {
     std::mt19937 random(7);
     for (index_t i = 0; i < nodes(); ++i) {
       const std::array<index_t, 3> at = place(i);
@@ -39,7 +41,7 @@ struct Mesh {
         const index_t step = k == 0 ? 1 : k == 1 ? side : side * side;
         if (at[k] + 1 < side) add(i, i + step);
       }
-      if (i % 97 == 0) add(i, static_cast<index_t>(random()) % nodes());
+      if (i % 97 == 0 && !is_near) add(i, static_cast<index_t>(random()) % nodes());
     }
   }
   [[nodiscard]] index_t nodes() const { return side * side * side; }
@@ -143,15 +145,16 @@ void run_on(const Ranks& ranks, const Mesh& mesh, int steps, bool has_table, int
         }
       },
       1 << 16);
-  std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers);
+  std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers) +
+                     " overlapped " + std::to_string(traffic.overlapped);
   for (const std::string& kernel : on.unknown_kernels()) more += " unknown " + kernel;
   if (ranks.is_first()) print(digest, body, more.c_str());
 }
 
 int run(int argc, char** argv) {
   index_t cells = 24;
-  int steps = 20, throws = -1, kill = -1, other = -1;
-  bool plain = false, has_table = true;
+  int steps = 20, throws = -1, kill = -1, other = -1, fails = -1;
+  bool plain = false, has_table = true, is_near = false;
   std::string options;
   const Ranks ranks(argc, argv);
   for (int a = 1; a < argc; ++a) {
@@ -160,6 +163,8 @@ int run(int argc, char** argv) {
       plain = true;
     else if (what == "--no-table")
       has_table = false;
+    else if (what == "--near")
+      is_near = true;
     else if (a + 1 == argc)
       throw Error("option " + what + " needs a value; see the head of relax.cpp");
     else if (what == "--cells")
@@ -174,13 +179,16 @@ int run(int argc, char** argv) {
       kill = std::atoi(argv[++a]);
     else if (what == "--sizes")
       other = std::atoi(argv[++a]);
+    else if (what == "--fail")
+      fails = std::atoi(argv[++a]);
     else if (what == "--options")
       options = argv[++a];
     else
       throw Error("there is no option " + what + "; see the head of relax.cpp");
   }
   ranks.agree("option", options);
-  const Mesh mesh(other == ranks.rank() ? cells + 1 : cells);
+  if (fails >= 0 && ranks.rank() >= fails) ranks.fail("the springs cannot be found");
+  const Mesh mesh(other == ranks.rank() ? cells + 1 : cells, is_near);
   if (plain) {
     run_plain(mesh, steps);
     return 0;

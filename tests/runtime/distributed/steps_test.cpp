@@ -1,88 +1,8 @@
 // What steps of several ranks refuse, each with the place and the remedy; and over which objects they run.
-#include <gtest/gtest.h>
-#include <physgen/distributed/executor.h>
-
-#include "springs.h"
+#include "steps.h"
 
 namespace physgen {
 namespace {
-
-constexpr HaloUse table[] = {
-    {"Gathers", 0, "nodes", {.reads_own = true}},
-    {"Gathers", 1, "x", {.reads_others = true}, "b.edges.nodes"},
-    {"Adds", 0, "nodes", {.reads_own = true}},
-    {"Adds", 1, "x", {.writes_others = true}, "b.edges.nodes"},
-    {"Renumbers", 0, "nodes", {.writes_own = true}},
-    {"Far", 0, "begin", {.reads_own = true}},
-    {"Far", 1, "x", {.reads_others = true}, "b.ends.element, b.edges.nodes"},
-    {"Beside", 0, "begin", {.reads_own = true}},
-    {"Beside", 1, "x", {.reads_others = true}},
-    {"OfTwo", 0, "x", {.reads_own = true}},
-    {"OfTwo", 1, "nodes", {.reads_own = true}},
-    {"OfOne", 0, "f", {.reads_own = true}},
-    {"OfOne", 1, "x", {.reads_others = true}},
-    {"Known", 0, "x", {.reads_own = true}},
-    {"OfEntries", 0, "element", {.reads_own = true}},
-};
-
-/// Nodes, edges that name them, rows of edges, and a state that all ranks have.
-class Steps : public testing::Test {
- protected:
-  void make_sets(bool follows) {
-    arrays.add_set("node", 100);
-    arrays.add_set("edge", 60);
-    arrays.add_replicated_set("one", 1);
-    if (follows) arrays.follow("edge", "node");
-    arrays.add("b.positions", "node", positions);
-    arrays.add("b.ranges", "node", ranges);
-    arrays.add("b.edges", "edge", edges);
-    arrays.add("b.state", "one", state);
-    arrays.connect(edges, "nodes", "node", [](index_t e) { return std::array{e, e + 1}; });
-    arrays.connect_rows(ranges, "b.ends", ends, "element", "edge", [](index_t node) {
-      std::vector<elasticity::Incidence<float>> row(node < 60 ? 1 : 0);
-      if (node < 60) row[0].element = static_cast<std::int32_t>(node);
-      return row;
-    });
-  }
-  void cut(bool follows) {
-    make_sets(follows);
-    arrays.cut();
-  }
-  template <class View>
-  static KernelView of(const View& view) {
-    const UntypedArray memory = view.untyped();
-    return {memory.base, memory.size, !std::is_const_v<typename View::Byte>, memory.object};
-  }
-  /// The message of a step of a kernel, or the range over which it runs.
-  std::string step(const std::string& kernel, std::vector<KernelView> views, index_t size, bool owned_only = false) {
-    HaloSteps steps(arrays, true);
-    const HaloSteps::Kernel one{&kernel, std::move(views)};
-    try {
-      const HaloSteps::Objects objects = steps.begin(std::span(&one, 1), size, owned_only);
-      return std::to_string(objects.begin) + " to " + std::to_string(objects.end);
-    } catch (const Error& error) {
-      return error.what();
-    }
-  }
-  static std::string message_of(const auto& body) {
-    try {
-      body();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "accepted";
-  }
-
-  int argc = 0;
-  char** argv = nullptr;
-  Ranks ranks{argc, argv};
-  DistributedArrays arrays{ranks, table};
-  elasticity::NodePositionArray<float> positions;
-  elasticity::IncidenceRangeArray<float> ranges;
-  elasticity::EdgeArray<float> edges;
-  elasticity::IncidenceArray<float> ends;
-  elasticity::NodeForceArray<double> state;
-};
 
 TEST_F(Steps, run_over_the_set_of_their_own_objects) {
   cut(true);
@@ -137,15 +57,19 @@ TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
       "physgen: not in the table may read through b.edges.nodes of other objects, whose set follows no set, so that "
       "what they name may be on other ranks; give the kernel rows in the table of kernels, or let the set follow one");
   EXPECT_EQ(step("OfTwo", {of(positions.const_view()), of(edges.const_view())}, 100),
-            "physgen: OfTwo uses own objects of two sets, node and edge; correct its rows in the table of kernels");
+            "physgen: OfTwo uses own objects of two sets, node and edge; correct its rows in the table of kernels, "
+            "or say same_set() where they have the same objects");
   EXPECT_EQ(
       step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
       "physgen: OfOne runs over objects that all ranks have, and uses arrays of which ranks have parts; reduce what "
       "is wanted of them");
   EXPECT_EQ(
-      step("OfEntries", {of(ends.const_view())}, 60, true),
+      step("OfEntries", {of(ends.const_view())}, 60, HaloSteps::Way::reduce),
       "physgen: OfEntries is reduced over the entries of rows, b.ends, which have no blocks that all numbers of ranks "
       "have; reduce over the objects that have the rows");
+  EXPECT_EQ(step("RowsOfOthers", {of(edges.const_view()), of(ranges.const_view())}, 60),
+            "physgen: RowsOfOthers reads b.ranges.begin of other objects, whose set node follows no set, so that ranks "
+            "have neither their rows nor all that they name; let it follow one");
   elasticity::NodeForceArray<double> other(7);
   EXPECT_EQ(
       step("not in the table", {of(positions.const_view()), of(other.const_view())}, 100),

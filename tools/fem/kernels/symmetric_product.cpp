@@ -13,16 +13,16 @@ namespace {
 std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 /// @throw Error naming the first edge that is not above the one before it, or not one of nodes m < n
-void check_edges(Index nodes, std::span<const std::array<Index, 2>> edges) {
+void check_edges(Index nodes, std::span<const std::array<Index, 2>> edges, index_t first_edge) {
   const auto is_sound = [=](index_t e) {
     const auto [m, n] = edges[at(e)];
-    return m >= 0 && m < n && n < nodes && (e == 0 || edges[at(e - 1)] < edges[at(e)]);
+    return e < first_edge || (m >= 0 && m < n && n < nodes && (e == first_edge || edges[at(e - 1)] < edges[at(e)]));
   };
   const auto count = static_cast<index_t>(edges.size());
   const index_t first = physgen::detail::first_index(count, [&](index_t e) { return !is_sound(e); });
   if (first == count) return;
   const std::string which = "edge " + std::to_string(first) + " of the mesh is ";
-  if (first > 0 && edges[at(first - 1)] >= edges[at(first)]) {
+  if (first > first_edge && edges[at(first - 1)] >= edges[at(first)]) {
     throw Error(which + "not above the one before it; edges (m, n) must be ascending, as make_tet_mesh() makes them");
   }
   throw Error(which + "(" + std::to_string(edges[at(first)][0]) + ", " + std::to_string(edges[at(first)][1]) +
@@ -32,9 +32,9 @@ void check_edges(Index nodes, std::span<const std::array<Index, 2>> edges) {
 }  // namespace
 
 EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes,
-                   SumOrder order)
+                   SumOrder order, index_t first_edge)
     : nodes_(nodes), edges_(static_cast<index_t>(edges.size())), space_(space), real_bytes_(real_bytes), order_(order) {
-  check_edges(nodes, edges);
+  check_edges(nodes, edges, first_edge);
   if (order == SumOrder::any && space == SpaceKind::cuda) return;  // atomics go by no lists
   const index_t count = 2 * (nodes_ + 1) + edges_, bytes = count * index_t{sizeof(Index)};
   indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
@@ -45,15 +45,19 @@ EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, Spa
   // Edges ascend, so those of a first node lie side by side; those of a second node are its contributions, ascending.
   HostList<Index> begin, by_second;
   fill_rows(
-      Host{}, nodes_, edges_, [edges](index_t e, const auto& put) { put(edges[at(e)][1], static_cast<Index>(e)); },
+      Host{}, nodes_, edges_,
+      [=](index_t e, const auto& put) {
+        if (e >= first_edge) put(edges[at(e)][1], static_cast<Index>(e));
+      },
       begin, by_second);
-  physgen::detail::for_each_index(0, edges_ + 1, [=](index_t e) {
-    const Index from = e == 0 ? 0 : edges[at(e - 1)][0] + 1;
+  physgen::detail::for_each_index(first_edge, edges_ + 1, [=](index_t e) {
+    const Index from = e == first_edge ? 0 : edges[at(e - 1)][0] + 1;
     const Index to = at(e) == edges.size() ? nodes : edges[at(e)][0];
     for (Index n = from; n <= to; ++n) first[n] = static_cast<Index>(e);
   });
   physgen::detail::for_each_index(0, nodes_ + 1, [&](index_t n) { first[nodes_ + 1 + n] = begin[at(n)]; });
-  physgen::detail::for_each_index(0, edges_, [&](index_t k) { place[by_second[at(k)]] = static_cast<Index>(k); });
+  physgen::detail::for_each_index(0, edges_ - first_edge,
+                                  [&](index_t k) { place[by_second[at(k)]] = static_cast<Index>(k); });
   if (space == SpaceKind::host) return;
   copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(elsewhere.data()), SpaceKind::host, bytes);
 }

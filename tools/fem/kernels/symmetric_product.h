@@ -44,7 +44,9 @@ class EdgeSums {
   EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order = SumOrder::fixed)
       : EdgeSums(mesh.nodes, mesh.edges, space, real_bytes, order) {}
   /// The same of nodes and edges alone.
-  EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes, SumOrder order);
+  /// @param first_edge edges below it stand for none, as those of a rank's part may: they play no part
+  EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes, SumOrder order,
+           index_t first_edge = 0);
 
   /// @throw Error when a product of these sizes, in this space, precision and order, was not what this was made for
   void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const;

@@ -10,6 +10,17 @@ namespace physgen::fem {
 template <class On, class Space>
 concept PerformsIn = RunsIn<On, Space> && !requires { On::only_counts; };
 
+/// on.perform(work), which does what the kernel would for n objects. An executor of several ranks finds in the kernel
+/// which arrays the work uses.
+template <class On, class Work, class Kernel>
+void perform_in_place_of(On& on, index_t n, const Kernel& kernel, const Work& work) {
+  if constexpr (requires { on.perform(work, kernel, n); }) {
+    on.perform(work, kernel, n);
+  } else {
+    on.perform(work);
+  }
+}
+
 /// Such an executor that only counts.
 template <class On>
 concept OnlyCounts = requires { On::only_counts; };

@@ -4,13 +4,12 @@
 #pragma once
 
 #include <physgen/distributed/arrays.h>
+#include <physgen/distributed/block_values.h>
 #include <physgen/distributed/halo_steps.h>
 #include <physgen/distributed/kernel_members.h>
 #include <physgen/executor.h>
 
-#include <array>
-#include <cstddef>
-#include <memory>
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,8 +24,8 @@ struct DistributedOptions {
 
 /// @tparam On HostExecutor, which runs the steps of each rank
 ///
-/// With one rank every call is On's. With several, run() and reduce() take kernels that show their views
-/// (kernel_members.h), and an exception of a kernel ends all ranks with its message.
+/// With one rank every call is On's. With several, kernels show their views (kernel_members.h), and an exception of a
+/// kernel ends all ranks with its message. While fields cross, a step is called for the objects that need none of them.
 template <class On>
   requires(std::is_same_v<typename On::Space, Host>)
 class DistributedExecutor {
@@ -45,36 +44,54 @@ class DistributedExecutor {
   void run(index_t n, const Kernel& kernel) {
     if (ranks_.count() == 1) return on_.run(n, kernel);
     ranks_.guard([&] {
-      const HaloSteps::Objects objects = begin(n, kernel, false);
-      parallel_for(Host{}, objects.begin, objects.end, kernel);
+      const HaloSteps::Objects objects = begin(n, kernel, HaloSteps::Way::run);
+      for_ranges(objects, [&](index_t first, index_t last) { parallel_for(Host{}, first, last, kernel); });
       steps_.end();
     });
   }
 
-  /// The kernel is called for owned objects alone; `then` is called on all ranks, with the same value.
+  /// The terms are those of owned objects; `then` is called on all ranks, with the same value.
   template <class Kernel, class Fold, class Then>
   void reduce(index_t n, const Kernel& kernel, Fold fold, const Then& then) {
     if (ranks_.count() == 1) return on_.reduce(n, kernel, fold, then);
     ranks_.guard([&] {
       require_replicated(then);
-      const HaloSteps::Objects objects = begin(n, kernel, true);
+      const HaloSteps::Objects objects = begin(n, kernel, HaloSteps::Way::reduce);
       if (objects.set == nullptr) {
         on_.reduce(n, kernel, fold, then);
       } else {
-        then(value_of_all<Fold>(objects, kernel));
+        values_.begin<detail::HostReduction<Kernel, Fold>>(*objects.set);
+        for_ranges(objects, [&](index_t first, index_t last) { values_.add<Fold>(first, last, 0, kernel); });
+        drop_ghosts<Fold>(objects, objects.also, 0, kernel);
+        then(values_.of_all_ranks<Fold, Kernel>(arrays_.transport()));
       }
       steps_.end();
     });
   }
 
-  /// @throw Error with several ranks: their parts of a set are not those of a reduction in parts
+  /// The parts are those of the objects that are here, part.of = array.size(); ranks may have other numbers of parts.
+  /// `then` is called behind the last, on all ranks, with the value that one reduction of all objects has.
+  /// @throw Error, too, when another step runs between two parts
   template <class Kernel, class Fold, class Then>
   void reduce_part(const PartOfReduction& part, const Kernel& kernel, Fold fold, const Then& then) {
-    if (ranks_.count() > 1) {
-      ranks_.fail(name_of_kernel<Kernel>() +
-                  " is reduced part by part, which several ranks cannot do; reduce all objects at once");
-    }
-    on_.reduce_part(part, kernel, fold, then);
+    if (ranks_.count() == 1) return on_.reduce_part(part, kernel, fold, then);
+    ranks_.guard([&] {
+      require_replicated(then);
+      part.check();
+      const std::vector<HaloSteps::Kernel> kernels = kernels_of(kernel);
+      const HaloSteps::Objects objects = steps_.begin_part(kernels, part);
+      if (objects.set == nullptr) {
+        on_.reduce_part(part, kernel, fold, then);
+      } else {
+        if (part.first == 0) values_.begin<detail::HostReduction<Kernel, Fold>>(*objects.set);
+        const auto of_part = [&](index_t object) { return std::clamp(object, part.first, part.first + part.count); };
+        const index_t first = of_part(objects.begin), last = of_part(objects.end);
+        if (first < last) values_.add<Fold>(first, last, part.first, kernel);
+        drop_ghosts<Fold>(objects, {of_part(objects.also.begin), of_part(objects.also.end)}, part.first, kernel);
+        if (part.is_last()) then(values_.of_all_ranks<Fold, Kernel>(arrays_.transport()));
+      }
+      steps_.end_part(part);
+    });
   }
 
   /// @throw Error with several ranks: what the work uses is not known; give a kernel that has the same views
@@ -90,7 +107,7 @@ class DistributedExecutor {
   void perform(const Work& work, const Kernel& kernel, index_t n) {
     if (ranks_.count() == 1) return on_.perform(work);
     ranks_.guard([&] {
-      (void)begin(n, kernel, true);
+      (void)begin(n, kernel, HaloSteps::Way::at_once);
       on_.perform(work);
       steps_.end();
     });
@@ -124,14 +141,18 @@ class DistributedExecutor {
 
  private:
   template <class Kernel>
-  [[nodiscard]] HaloSteps::Objects begin(index_t n, const Kernel& kernel, bool owned_only) {
+  [[nodiscard]] static std::vector<HaloSteps::Kernel> kernels_of(const Kernel& kernel) {
     std::vector<HaloSteps::Kernel> kernels;
     for_each_kernel(kernel, [&](const auto& one) {
       HaloSteps::Kernel& added = kernels.emplace_back();
       added.name = &name_of_kernel<std::remove_cvref_t<decltype(one)>>();
       for_each_view(one, [&](const KernelView& view) { added.views.push_back(view); });
     });
-    return steps_.begin(kernels, n, owned_only);
+    return kernels;
+  }
+  template <class Kernel>
+  [[nodiscard]] HaloSteps::Objects begin(index_t n, const Kernel& kernel, HaloSteps::Way way) {
+    return steps_.begin(kernels_of(kernel), n, way);
   }
 
   template <class Then>
@@ -143,40 +164,34 @@ class DistributedExecutor {
     }
   }
 
-  /// The values of all ranks' blocks, joined as one process joins them.
-  template <class Fold, class Kernel>
-  [[nodiscard]] auto value_of_all(const HaloSteps::Objects& objects, const Kernel& kernel) {
-    using Types = detail::HostReduction<Kernel, Fold>;
-    using Value = typename Types::Value;
-    const Runs& runs = objects.set->runs();
-    const auto blocks_of = [&](int rank) { return detail::blocks_of(runs.begin(rank), runs.end(rank)); };
-    const index_t mine = blocks_of(ranks_.rank()), all = detail::blocks_of(0, runs.size());
-    const auto values = std::make_unique<Value[]>(static_cast<std::size_t>(mine * Types::count));
-    detail::reduce_blocks<Fold>(objects.begin, objects.end, kernel, values.get(), mine, runs.begin(ranks_.rank()));
-
-    std::vector<index_t> sizes;
-    for (int r = 0; r < ranks_.count(); ++r) sizes.push_back(blocks_of(r) * Types::count * index_t{sizeof(Value)});
-    const auto gathered = std::make_unique<Value[]>(static_cast<std::size_t>(all * Types::count));
-    const auto count = static_cast<std::size_t>(all * Types::count);
-    arrays_.transport().gather(std::as_bytes(std::span(values.get(), static_cast<std::size_t>(mine * Types::count))),
-                               sizes, std::as_writable_bytes(std::span(gathered.get(), count)));
-    // Each rank gave its blocks entry by entry.
-    const auto ordered = std::make_unique<Value[]>(count);
-    const Value* from = gathered.get();
-    index_t before = 0;
-    for (int r = 0; r < ranks_.count(); ++r) {
-      for (index_t k = 0; k < Types::count; ++k) {
-        std::copy_n(from, blocks_of(r), ordered.get() + k * all + before);
-        from += blocks_of(r);
-      }
-      before += blocks_of(r);
+  /// Calls call(begin, end) for the objects of a step: for those first that need nothing of what still crosses.
+  template <class Call>
+  void for_ranges(const HaloSteps::Objects& objects, const Call& call) {
+    for (const HaloSteps::Range& inner : objects.inner) call(inner.begin, inner.end);
+    if (!objects.inner.empty()) {
+      arrays_.transport().count_overlap();
+      steps_.arrive();
     }
-    return detail::join_entries<Fold, Types>(ordered.get(), all);
+    index_t at = objects.begin;
+    for (const HaloSteps::Range& inner : objects.inner) {
+      if (at < inner.begin) call(at, inner.begin);
+      at = inner.end;
+    }
+    if (at < objects.end) call(at, objects.end);
+  }
+
+  /// Calls a kernel of a reduction for the ghosts of a range.
+  template <class Fold, class Kernel>
+  void drop_ghosts(const HaloSteps::Objects& objects, const HaloSteps::Range& range, index_t shift,
+                   const Kernel& kernel) {
+    detail::BlockValues::drop<Fold>(range.begin, std::min(range.end, objects.begin), shift, kernel);
+    detail::BlockValues::drop<Fold>(std::max(range.begin, objects.end), range.end, shift, kernel);
   }
 
   const Ranks& ranks_;
   DistributedArrays& arrays_;
   HaloSteps steps_;
+  detail::BlockValues values_;
   On on_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <physgen/distributed/kernel_view.h>
 #include <physgen/distributed/partition.h>
+#include <physgen/launch/reduce.h>
 
 #include <map>
 #include <set>
@@ -22,23 +23,46 @@ class HaloSteps {
     const std::string* name;
     std::vector<KernelView> views;
   };
+  /// Half-open.
+  struct Range {
+    index_t begin, end;
+  };
   /// The objects of a step, by local numbers. No set: all ranks do the same.
   struct Objects {
     index_t begin, end;
     const LocalSet* set;
+    /// Parts of them that need nothing of what still crosses, ascending: the kernel is called for these, then comes
+    /// arrive(), and then it is called for the others. None where nothing crosses any more.
+    std::vector<Range> inner = {};
+    /// Of a reduction: all objects that are here, where it is called for ghosts, too, whose terms are dropped, so that
+    /// what it writes of them is fresh. Else none.
+    Range also = {0, 0};
+  };
+  /// How a step is done.
+  enum class Way {
+    run,     ///< for ghosts, too, where these can be done
+    reduce,  ///< with the terms of owned objects, by whole blocks
+    at_once  ///< for owned objects, or for more, by code that is not split
   };
 
   /// @param poisons whether fields of ghosts become signalling NaN (index fields: the lowest number) when they turn
   /// stale, so that a step that reads them, which nothing here knows of, does not go unseen
   HaloSteps(Partition& arrays, bool poisons) : arrays_(arrays), poisons_(poisons) {}
 
-  /// Fetches what the step needs. With owned_only it is called for no ghost, as reductions are.
+  /// Fetches what the step needs.
   /// @param size with which the program calls the kernel
   /// @throw Error when the kernel writes objects of others, when what it reads is not to be had, or when it is not
   /// known over which set it runs
-  [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, bool owned_only);
+  [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, Way way);
+  /// Waits for what begin() left crossing.
+  void arrive();
   /// Behind the step that was begun last.
   void end();
+  /// The same for a part of a reduction: its objects are those of the whole. Fields cross before the first part alone,
+  /// since ranks may have other numbers of parts.
+  /// @throw Error, too, when parts do not follow each other
+  [[nodiscard]] Objects begin_part(std::span<const Kernel> kernels, const PartOfReduction& part);
+  void end_part(const PartOfReduction& part);
   /// Of code that is not called for the objects of a set: it may use what all ranks have alone.
   /// @throw Error when one of the views is of an array of which ranks have parts
   void require_replicated(std::span<const KernelView> views, const std::string& of) const;
@@ -71,7 +95,9 @@ class HaloSteps {
   void check_writes(const Use& use, int set) const;
   void add_gathered(Step& step, const Use& use) const;
   [[nodiscard]] bool is_fresh(const Field& field) const;
-  void exchange(const std::vector<Field>& fields);
+  void begin_exchange(const std::vector<Field>& fields);
+  /// Owned objects of a set that name no ghost of sets of which fields cross.
+  [[nodiscard]] std::vector<Range> inner_of(const DistributedSet& over, Way way) const;
   void poison(const Field& field);
   [[nodiscard]] const DistributedSet& set_of_array(int array) const;
   [[nodiscard]] std::string name_of(const Field& field) const;
@@ -81,6 +107,18 @@ class HaloSteps {
   std::map<Key, Step> steps_;
   const Step* current_ = nullptr;
   bool on_ghosts_ = false;
+  /// What crosses, by peer.
+  struct Exchange {
+    std::vector<Field> fields;
+    std::vector<std::vector<std::byte>> sent, received;
+  } exchange_;
+  /// A reduction of which not all parts are done: `name` of its kernel, or null.
+  struct OpenReduction {
+    const std::string* name = nullptr;
+    index_t next = 0, of = 0;
+    Objects objects{0, 0, nullptr};
+    const Step* step = nullptr;
+  } open_;
   std::set<std::string> unknown_;
 };
 

@@ -8,6 +8,7 @@
 #include <physgen/distributed/local_set.h>
 #include <physgen/distributed/ranks.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,14 +23,20 @@ struct DistributedSet {
   enum class Kind {
     owned,       ///< each object is owned by one rank
     replicated,  ///< all ranks have all objects, and compute the same
-    entries      ///< the entries of rows: those of the rows that a rank has
+    entries,     ///< the entries of rows: those of the rows that a rank has
+    same         ///< another name of a set, same_as
   };
   std::string name;
   index_t size;  ///< of all ranks; of entries 0
   Kind kind = Kind::owned;
   int follows = -1;  ///< the set of which an owned object makes objects of this one present
+  int same_as = -1;
   std::optional<LocalSet> local;
   HaloPlan plan;
+  /// Of each group of local objects: bit s % 64 where one of them names a ghost of set s, by itself or through objects
+  /// of sets that follow.
+  std::vector<std::uint64_t> reached;
+  static constexpr index_t group = 256;
 };
 
 /// An array that has the objects of a set that are here.
@@ -64,6 +71,12 @@ class Partition {
   /// Objects of `set` are present and computed wherever one of the objects of `target` that they name is owned.
   /// @throw Error when one of the sets is not known or not owned by objects, or one of them follows or is followed
   void follow(std::string_view set, std::string_view target);
+  /// The objects of `set` are those of `other`: they have the same numbers, owners and ghosts, and `set` becomes
+  /// another name of it. For programs that count arrays of the same objects apart, since some of them may be left out;
+  /// and for arrays of a window of a set, which on several ranks have all that is here.
+  /// @throw Error when one of the sets is not known or not owned by objects, when their numbers of objects differ, or
+  /// when they would follow two sets, or follow and be followed
+  void same_set(std::string_view set, std::string_view other);
 
   /// Decides what each rank owns, makes what it needs of others present, and gives the arrays their objects, with
   /// initial values, and with local numbers in the fields that name others.
@@ -118,6 +131,8 @@ class Partition {
   };
   void decide_runs();
   void find_ghosts();
+  void find_reached();
+  [[nodiscard]] bool is_followed(int set) const;
 
   const Ranks& ranks_;
   HaloUses uses_;

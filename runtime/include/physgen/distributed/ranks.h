@@ -47,7 +47,8 @@ class Ranks {
   /// @throw nothing with one rank
   void agree(std::string_view what, std::string_view value) const;
 
-  /// Ends all ranks, with the message and the name of this one on the standard error output. With one rank:
+  /// Ends all ranks, with the message and the name of this one on the standard error output. Where several ranks find
+  /// the same within two seconds, the lowest of them says it. With one rank:
   /// @throw Error with the message
   [[noreturn]] void fail(const std::string& message) const;
 

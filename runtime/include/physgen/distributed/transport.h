@@ -26,6 +26,7 @@ struct Traffic {
   index_t bytes = 0;           ///< sent in them
   index_t gathers = 0;         ///< gather()
   index_t gathered_bytes = 0;  ///< given in them
+  index_t overlapped = 0;      ///< exchanges that crossed while a step was called for its inner objects
 };
 
 /// All ranks call the same functions in the same order.
@@ -49,6 +50,8 @@ class Transport {
   [[nodiscard]] virtual std::vector<index_t> all_to_all(std::span<const index_t> given) = 0;
 
   [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+  /// Kernels were called between begin() and end().
+  void count_overlap() { ++traffic_.overlapped; }
 
  private:
   virtual void begin_messages(std::span<const Message> messages) = 0;

@@ -12,13 +12,15 @@ namespace physgen::fem {
 /// df = K dx; see symmetric_product_host.h.
 template <PerformsIn<Host> On, class... Views>
 void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  on.perform([&](Stream /*stream*/) { multiply(Host{}, product, sums, SumOrder::fixed); });
+  perform_in_place_of(on, product.differentials.size(), product,
+                      [&](Stream /*stream*/) { multiply(Host{}, product, sums, SumOrder::fixed); });
 }
 
 /// df += the edges' part of K dx.
 template <PerformsIn<Host> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  on.perform([&](Stream /*stream*/) { add_edges(Host{}, product, sums, SumOrder::fixed); });
+  perform_in_place_of(on, product.differentials.size(), product,
+                      [&](Stream /*stream*/) { add_edges(Host{}, product, sums, SumOrder::fixed); });
 }
 
 }  // namespace physgen::fem

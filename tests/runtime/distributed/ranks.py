@@ -1,0 +1,37 @@
+"""Starts programs on several ranks, as users start them; for tests that are called with MPIRUN|none FOLDER CASE."""
+import os
+import subprocess
+import sys
+import time
+
+MPIRUN, FOLDER, CASE = sys.argv[1:4]
+# More ranks than processors, also as root; ranks that wait give their processor to others.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMP_NUM_THREADS="1",
+                   ASAN_OPTIONS="detect_leaks=0",  # MPI has some
+                   PHYSGEN_STARTED_BY=str(os.getpid()))
+SECONDS = 120  # what takes longer hangs
+
+
+def run(*command, environment=None):
+    """Status, output, errors and seconds of a command."""
+    start = time.monotonic()
+    done = subprocess.run(command, env={**ENVIRONMENT, **(environment or {})}, capture_output=True, text=True, timeout=SECONDS, check=False)
+    return done.returncode, done.stdout, done.stderr, time.monotonic() - start
+
+
+def program(name):
+    return os.path.join(FOLDER, "distributed_" + name)
+
+
+def ranks(count, name, *arguments, environment=None):
+    return run(MPIRUN, "--oversubscribe", "-n", str(count), program(name), *arguments, environment=environment)
+
+
+def run_case(cases):
+    """The status of the test that was asked for."""
+    if MPIRUN == "none":
+        print("skipped: MPI was not found, so there is one rank; install libopenmpi-dev and openmpi-bin")
+        return 77
+    cases[CASE]()
+    return 0
