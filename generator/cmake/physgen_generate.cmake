@@ -16,8 +16,8 @@
 # aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state, which needs the command. With
 # PYTHON it writes a.python.cpp and b.python.cpp, too, sources of Python modules: physgen_python() makes one of them.
 #
-# physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them. The
-# library `name` links LIBRARIES, whose headers the scenes include. Programs are read with the folders and definitions of
+# physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them; of
+# a scene that says what its index fields name s.halos.h and s.distributed.h, too, for several ranks. The library `name` links LIBRARIES, whose headers the scenes include. Programs are read with the folders and definitions of
 # LIBRARIES, which must not depend on the language (COMPILE_LANGUAGE), and with the options FLAGS of the compiler, such
 # as -march=x86-64-v3.
 # With DEVICE, physgen looks at what programs do on CUDA, too. It needs a toolkit: that of the project where it enables

@@ -30,12 +30,15 @@ class HaloFinder {
     follow_what_is_counted_alike();
     for (const usage::StepUse& step : usage.steps)
       for (const KernelUse& kernel : step.kernels)
-        for (const auto& [ranges, entries] : kernel.views.rows) rows_.insert({entries, at(ranges).set});
+        for (const auto& row : kernel.views.rows) {
+          rows_.insert({row.second, at(row.first).set});
+          if (std::ranges::find(halos_.rows, row) == halos_.rows.end()) halos_.rows.emplace_back(row);
+        }
   }
 
   Halos find() && {
     halos_.stated = states_names(scene_);
-    if (!halos_.stated) return std::move(halos_);
+    if (!halos_.stated) return {};
     for (const usage::StepUse& step : usage_.steps) {
       if (step.root) continue;  // predicates and the host's values are of objects that every rank has
       for (const KernelUse& kernel : step.kernels) this->kernel(step, kernel);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/issue.h"
@@ -43,6 +44,9 @@ struct Halos {
   std::vector<HaloRow> table;   ///< by kernel, view and field, in ascending order
   std::vector<HaloRead> reads;  ///< in the order of the steps
   std::vector<UnknownHalo> unknown;
+  std::vector<std::pair<std::string, std::string>>
+      rows;               ///< arrays of ranges and of entries, "body.ranges", "body.ends"
+  std::string no_arrays;  ///< why no header of arrays for several ranks is written: see distribution.h
   bool operator==(const Halos&) const = default;
 };
 

@@ -241,11 +241,9 @@ class Header {
                  "count is negative or the memory cannot be had");
     std::vector<std::string> statements;
     for (const Array& array : group.arrays) {
-      const ArrayNeed& need = needs_.of(group.full_name(array));
       std::string unset;
-      for (const FieldNeed& field : need.fields)
-        if (field.kept && !need.local() && !array.is_input(field.field.name) && !field.field.initial)
-          unset += (unset.empty() ? "\"" : ", \"") + field.field.name + "\"";
+      for (const std::string& field : fields_without_values(array, needs_.of(group.full_name(array))))
+        unset += (unset.empty() ? "\"" : ", \"") + field + "\"";
       statements.push_back("physgen::allocate(" + array.name + ", " + count(array) +
                            (unset.empty() ? "" : ", {" + unset + "}") + ");");
     }

@@ -224,6 +224,14 @@ std::string text_of(const ReadTooEarly& read) {
          " is declared, or run a step before it that writes " + them;
 }
 
+std::vector<std::string> fields_without_values(const Array& array, const ArrayNeed& need) {
+  std::vector<std::string> names;
+  for (const FieldNeed& field : need.fields)
+    if (field.kept && !need.local() && !array.is_input(field.field.name) && !field.field.initial)
+      names.push_back(field.field.name);
+  return names;
+}
+
 Needs find_needs(const Scene& scene, const usage::Usage& usage) { return NeedsFinder(scene, usage).find(); }
 
 Needs everything(Needs needs) {

@@ -104,6 +104,9 @@ struct Needs {
 /// The sentence that says so, with the remedy and without a full stop.
 [[nodiscard]] std::string text_of(const ReadTooEarly& read);
 
+/// Fields of an array that hold no value when it is made: the program writes them before it reads them.
+[[nodiscard]] std::vector<std::string> fields_without_values(const Array& array, const ArrayNeed& need);
+
 /// @param usage of the scene's program; its arrays have the scene's full names
 [[nodiscard]] Needs find_needs(const Scene& scene, const usage::Usage& usage);
 

@@ -29,6 +29,7 @@ std::string halos_text(const Halos& halos) {
   for (const UnknownHalo& one : halos.unknown)
     text += "  " + one.step + ": not known of " + listed(one.fields) +
             ", which counts as read of others: " + one.reason + "\n";
+  if (!halos.no_arrays.empty()) text += "  no header of arrays for several ranks: " + halos.no_arrays + "\n";
   return text;
 }
 
@@ -64,6 +65,7 @@ void add_halos(const Halos& halos, nlohmann::ordered_json& json) {
                                 {"why", read.local}});
   for (const UnknownHalo& one : halos.unknown)
     written["unknown"].push_back({{"step", one.step}, {"fields", one.fields}, {"reason", one.reason}});
+  if (!halos.no_arrays.empty()) written["no_arrays"] = halos.no_arrays;
   json["halos"] = std::move(written);
 }
 

@@ -90,6 +90,36 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
         grep -x '3 ranks, sum 3' || fail 'three ranks do not find each other'
     fi
     ;;
+  a_scene_runs_on_ranks_with_and_without_mpi)
+    export ASAN_OPTIONS=detect_leaks=0  # of MPI
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    mkdir "$work/project/scenes"
+    cp "$source/tests/generator/scenes/relax.h" "$work/project/scenes"
+    must_configure build scene_of_ranks
+    build build
+    "$work/build/relax" >"$work/one.txt" || fail 'the program does not run by itself'
+    grep -x 'digest [0-9a-f]* of 9000 nodes' "$work/one.txt" || fail "unclear: $(cat "$work/one.txt")"
+    if [[ ${MPIRUN-} ]]; then
+      timeout 60 "$MPIRUN" --oversubscribe -n 2 "$work/build/relax" >"$work/two.txt" 2>"$work/said.txt" || fail "$(cat "$work/said.txt")"
+      cmp "$work/one.txt" "$work/two.txt" || fail 'two ranks have other bits than one'
+      grep -x '1 of 2: 4[0-9]* owned, [1-9][0-9]* exchanges' "$work/said.txt" || fail "unclear: $(cat "$work/said.txt")"
+    fi
+    # What an installation of a build with -DPHYSGEN_MPI=OFF has in other files than this one; and as it has no physgen, the
+    # headers that the first project wrote are checked in.
+    cmake -S "$source" -B "$work/off" -G "$generator" -DCMAKE_BUILD_TYPE=Debug -DPHYSGEN_MPI=OFF -DPHYSGEN_GENERATOR=OFF \
+      -DPHYSGEN_CUDA=OFF -DPHYSGEN_TESTS=OFF -DPHYSGEN_BENCHMARKS=OFF -DCMAKE_OPTIMIZE_DEPENDENCIES=ON \
+      -DPHYSGEN_CHECKED="${mode:+ON}" -DPHYSGEN_SANITIZE="${SANITIZERS:+ON}" >"$work/configure.txt" 2>&1 || fail "$(cat "$work/configure.txt")"
+    cmake --build "$work/off" --target "physgen_distributed$mode"
+    cp -r "$folder/package without physgen" "$work/package"
+    package=$(dirname "$(find "$work/package" -name physgenConfig.cmake)")
+    cp "$work/off/package/physgenConfig.cmake" "$work/off/CMakeFiles/Export/"*/"physgen_distributed$mode.cmake" "$package"
+    cp "$(find "$work/off" -name "libphysgen_distributed$mode.a")" "$(find "$work/package" -name "libphysgen_distributed$mode.a")"
+    cp -r "$work/build/physgen/relax_scene" "$work/project/generated"
+    must_configure without scene_of_ranks -DCMAKE_DISABLE_FIND_PACKAGE_MPI=ON
+    build without
+    ! nm -C "$work/without/relax" | grep ' MPI_' || fail 'there is MPI in a program of a build without it'
+    "$work/without/relax" | cmp - "$work/one.txt" || fail 'the build without MPI has other bits'
+    ;;
   fem_of_a_subdirectory_compiles)
     # Compiled only: the libraries are this build's own.
     must_configure build subdirectory "-DPHYSGEN=$source" -DPHYSGEN_GENERATOR=OFF

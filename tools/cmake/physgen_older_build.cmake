@@ -7,14 +7,14 @@
 # removed header then does not compile, in place of compiling with two states of one object.
 function(physgen_remove_older_headers folder)
   get_property(written GLOBAL PROPERTY PHYSGEN_WRITTEN_HEADERS)
-  set(endings physgen.h python.cpp scene.h program.h everything.h digest need.txt need.json usage.json)
+  set(endings physgen.h python.cpp scene.h program.h everything.h halos.h distributed.h digest need.txt need.json usage.json)
   list(TRANSFORM endings PREPEND ${folder}/*. OUTPUT_VARIABLE patterns)
   file(GLOB found ${patterns})
   set(removed "")
   foreach(file IN LISTS found)
     set(of_schema "${file}")  # the header beside which physgen wrote it
     string(REGEX REPLACE "[.]python[.]cpp$" ".physgen.h" of_schema "${of_schema}")
-    string(REGEX REPLACE "[.](program[.]h|everything[.]h|digest|need[.]txt|need[.]json|usage[.]json)$" ".scene.h" of_schema "${of_schema}")
+    string(REGEX REPLACE "[.](program[.]h|everything[.]h|halos[.]h|distributed[.]h|digest|need[.]txt|need[.]json|usage[.]json)$" ".scene.h" of_schema "${of_schema}")
     if(NOT of_schema IN_LIST written)
       file(REMOVE "${file}")
       cmake_path(GET file FILENAME name)

@@ -1,5 +1,6 @@
 # Copies the headers and digests of scenes from WRITTEN to CHECKED_IN, and removes what no scene has written there, such as
-# reports of an older checkout, which are files of a build now. Tables of halos are files of a build, too.
+# reports of an older checkout, which are files of a build now. Tables of halos, and arrays for several ranks, are
+# files of a build, too.
 cmake_minimum_required(VERSION 3.25)
 
 file(GLOB written ${WRITTEN}/*.scene.h ${WRITTEN}/*.program.h ${WRITTEN}/*.digest)

@@ -10,6 +10,7 @@
 #include "files.h"
 #include "scenes/analysis.h"
 #include "scenes/digest.h"
+#include "scenes/distribution.h"
 #include "scenes/groups.h"
 #include "scenes/halos.h"
 #include "scenes/header.h"
@@ -63,6 +64,10 @@ class SceneCommand {
     if (!needs.sound()) return errors;
     scenes::add_records(records_, needs);
     if (!request_.no_fuse) scenes::join_steps(scene, *usage, program_, needs);
+    if (needs.halos.stated) {
+      distribution_ = scenes::find_distribution(scene, needs);
+      needs.halos.no_arrays = distribution_.refused;
+    }
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
     if (!request_.output_dir.empty()) write(scene, needs, *usage);
@@ -103,10 +108,13 @@ class SceneCommand {
                                {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
     if (request_.everything)
       files.push_back({path(".everything.h"), scenes::header(scene, scenes::everything(needs), "_everything")});
-    if (needs.halos.stated) files.push_back({path(".halos.h"), scenes::halos_header(scene, needs.halos)});
+    const bool has_halos = needs.halos.stated, has_arrays = has_halos && distribution_.refused.empty();
+    if (has_halos) files.push_back({path(".halos.h"), scenes::halos_header(scene, needs.halos)});
+    if (has_arrays) files.push_back({path(".distributed.h"), scenes::distributed_header(scene, needs, distribution_)});
     if (!request_.depfile.empty()) files.push_back({request_.depfile, depfile(request_.stamp, dependencies_)});
     write_outputs(files, {request_.file}, stamp_);  // programs that it reads may include what was written of it
-    if (!needs.halos.stated) std::filesystem::remove(path(".halos.h"));  // of when the scene stated names
+    if (!has_halos) std::filesystem::remove(path(".halos.h"));  // of when the scene stated names
+    if (!has_arrays) std::filesystem::remove(path(".distributed.h"));
   }
 
   const SceneRequest& request_;
@@ -117,6 +125,7 @@ class SceneCommand {
   std::string times_;
   scenes::ProgramText program_;
   scenes::Records records_;
+  scenes::Distribution distribution_;
 };
 
 }  // namespace
@@ -130,8 +139,8 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
       ->add_option(
           "-o,--output", request.output_dir,
           "Folder of x.scene.h, of x.program.h, which calls the program over these arrays, of the digest x.digest, "
-          "of the table x.halos.h where the scene says what its index fields name, and of the reports x.need.txt, "
-          "x.need.json and x.usage.json; made if it does not exist; "
+          "of the table x.halos.h and the arrays of several ranks x.distributed.h where the scene says what its index "
+          "fields name, and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
           "without: the report is printed")
       ->type_name("DIR");
   scene

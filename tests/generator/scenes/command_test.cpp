@@ -75,8 +75,11 @@ class SceneCommand : public Command {
 
 TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
   const std::string arguments = "-o out --no-fuse --stamp stamp --depfile depfile";
+  for (const char* ending : {"halos", "distributed"}) folder.write("out/particles." + std::string(ending) + ".h", "");
   const auto first = scene(arguments);
   ASSERT_EQ(first.status, 0) << first.err;
+  for (const char* ending : {"halos", "distributed"})
+    EXPECT_FALSE(exists("out/particles." + std::string(ending) + ".h")) << "of when the scene stated names";
   const std::string header = written("particles.scene.h");
   EXPECT_NE(header.find("/// - b, c: nothing uses it\n"), std::string::npos) << header;
   EXPECT_NE(header.find("#include <particles.physgen.h>\n"), std::string::npos) << header;
@@ -111,6 +114,14 @@ TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
                            "writes it, and nothing reads it\n"),
             std::string::npos)
       << third.err;
+}
+
+TEST_F(SceneCommand, writes_arrays_for_several_ranks_of_a_scene_that_says_what_its_fields_name) {
+  folder.write("scenes/relax.h", text_of(PHYSGEN_TESTED_SCENES "/relax.h"));
+  const auto outcome = run("scene scenes/relax.h -o out -- -I. -I" PHYSGEN_SCHEMAS_INCLUDE " " PHYSGEN_FLAGS);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(written("relax.distributed.h"), text_of(PHYSGEN_GOLDEN_DIR "/relax.distributed.h"));
+  EXPECT_EQ(written("relax.need.txt").find("no header of arrays"), std::string::npos);
 }
 
 TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {

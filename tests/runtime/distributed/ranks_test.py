@@ -34,9 +34,9 @@ def all_numbers_of_ranks_have_the_bits_of_one_process():
         print(f"{count} ranks: {wanted}")
     assert digest(ranks(2, "relax", "--threads", "2")) == wanted, "2 threads"
     # Without a table more is fetched, and nothing is missing.
-    known, unknown = ranks(3, "relax"), ranks(3, "relax", "--no-table")
-    assert digest(unknown) == wanted
-    exchanges = [int(re.search(r"exchanges (\d+)", done[1]).group(1)) for done in (known, unknown)]
+    known, by_hand, unknown = ranks(3, "relax"), ranks(3, "relax", "--by-hand"), ranks(3, "relax", "--no-table")
+    assert digest(by_hand) == wanted and digest(unknown) == wanted
+    exchanges = [int(re.search(r"exchanges (\d+)", done[1]).group(1)) for done in (known, by_hand, unknown)]
     # Without far edges most edges of a rank are inner ones, and are pulled while positions cross.
     near = run(program("relax_without_mpi"), "--plain", "--near")
     for count in (2, 3):
@@ -44,7 +44,7 @@ def all_numbers_of_ranks_have_the_bits_of_one_process():
         assert digest(done) == digest(near), f"{count} ranks"
         assert "overlapped 19" in done[1], done[1]
     # Two make the plans; positions cross once for each step but the first.
-    assert exchanges[0] == 2 + 19 and exchanges[1] > exchanges[0], exchanges
+    assert exchanges[0] == exchanges[1] == 2 + 19 and exchanges[2] > exchanges[0], exchanges
     assert "unknown springs::Pull" in unknown[1] and "unknown" not in known[1]
     # More ranks than there are blocks, and hardly any nodes: ranks without objects work.
     for cells in ("1", "3"):

@@ -4,15 +4,16 @@
 //   --steps N       at most (default 20)
 //   --plain         arrays of all objects, without anything of distributed/ (one process)
 //   --threads N     of each rank
-//   --no-table      no kernel is known
+//   --by-hand       sets, names and the table of kernels as one writes them without a scene
+//   --no-table      the same, and no kernel is known
 //   --throw R       a kernel throws on rank R
 //   --kill R        rank R is killed before its steps, by a signal that it cannot handle
 //   --options TEXT  must be equal on all ranks
 //   --sizes R       rank R has another mesh
 //   --fail R        rank R and those above find the same error
 //   --near          no edges to far nodes
-#include <physgen/distributed/executor.h>
 #include <physgen/threads.h>
+#include <relax.distributed.h>
 
 #include <array>
 #include <csignal>
@@ -20,12 +21,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <random>
-
-#include "springs.h"
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace physgen;
+using Body = scenes::relax_scene::Body<>;
 
 /// A lattice, whose edges ascend by their first node, and some edges to far nodes.
 struct Mesh {
@@ -45,6 +47,9 @@ struct Mesh {
     }
   }
   [[nodiscard]] index_t nodes() const { return side * side * side; }
+  [[nodiscard]] index_t springs() const { return static_cast<index_t>(edges.size()); }
+  [[nodiscard]] const auto& edge(index_t e) const { return edges[static_cast<std::size_t>(e)]; }
+  [[nodiscard]] const auto& row(index_t node) const { return ends[static_cast<std::size_t>(node)]; }
   [[nodiscard]] std::array<index_t, 3> place(index_t node) const {
     return {node % side, node / side % side, node / side / side};
   }
@@ -80,89 +85,100 @@ struct Digest {
   }
 };
 
-void print(const Digest& digest, const springs::Body& body, const char* more) {
+constexpr double at_rest = 1e-3;
+
+void print(const Digest& digest, const Body& body, const std::string& more) {
   const auto state = body.state.const_view()[index_t{0}].f().get();
   std::printf("digest %016llx square %a node %.0f steps %.0f%s\n", static_cast<unsigned long long>(digest.hash),
-              state[0], state[1], state[2], more);
+              state[0], state[1], state[2], more.c_str());
+}
+
+void add(Digest& digest, const auto& positions) {
+  for (index_t i = 0; i < positions.size(); ++i) {
+    for (int k = 0; k < 3; ++k) digest.add(positions[i].x()[k]);
+  }
 }
 
 void run_plain(const Mesh& mesh, int steps) {
-  springs::Body body;
-  body.positions = elasticity::NodePositionArray<float>(mesh.nodes());
-  body.forces = elasticity::NodeForceArray<float>(mesh.nodes());
-  body.ranges = elasticity::IncidenceRangeArray<float>(mesh.nodes());
-  body.edges = elasticity::EdgeArray<float>(static_cast<index_t>(mesh.edges.size()));
-  body.springs = elasticity::NodeForceArray<float>(body.edges.size());
-  std::vector<elasticity::Incidence<float>> all;
+  Body body;
+  body.allocate({.node = mesh.nodes(), .edge = mesh.springs(), .end = 2 * mesh.springs()});
+  std::int32_t end = 0;
   for (index_t i = 0; i < mesh.nodes(); ++i) {
     body.positions.view().put(i, mesh.position(i));
-    const auto& row = mesh.ends[static_cast<std::size_t>(i)];
-    body.ranges[i].begin() = static_cast<std::int32_t>(all.size());
-    all.insert(all.end(), row.begin(), row.end());
-    body.ranges[i].end() = static_cast<std::int32_t>(all.size());
+    body.ranges.contents()[i].begin() = end;
+    for (const auto& one : mesh.row(i)) body.ends.contents().view().put(index_t{end++}, one);
+    body.ranges.contents()[i].end() = end;
   }
-  body.ends = elasticity::IncidenceArray<float>(static_cast<index_t>(all.size()));
-  for (index_t k = 0; k < body.ends.size(); ++k) body.ends.view().put(k, all[static_cast<std::size_t>(k)]);
   for (index_t e = 0; e < body.edges.size(); ++e) {
-    const auto& nodes = mesh.edges[static_cast<std::size_t>(e)];
-    body.edges[e].nodes() = Eigen::Vector2i(static_cast<int>(nodes[0]), static_cast<int>(nodes[1]));
+    const auto& nodes = mesh.edge(e);
+    body.edges.contents()[e].nodes() = Eigen::Vector2i(static_cast<int>(nodes[0]), static_cast<int>(nodes[1]));
   }
   HostExecutor on;
-  springs::relax(on, body, steps, 1e-3);
+  scenes::relax::program(on, body, steps, at_rest, -1);
   Digest digest;
-  for (index_t i = 0; i < mesh.nodes(); ++i) {
-    for (int k = 0; k < 3; ++k) digest.add(body.positions[i].x()[k]);
-  }
+  add(digest, body.positions.const_view());
   print(digest, body, "");
 }
 
-void run_on(const Ranks& ranks, const Mesh& mesh, int steps, bool has_table, int throws) {
-  springs::Body body;
+/// The program over arrays that are cut and filled. @param each_block of positions: each_block(use)
+void run_cut(const Ranks& ranks, DistributedArrays& arrays, Body& body, int steps, bool throws,
+             const auto& each_block) {
+  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
+  scenes::relax::program(on, body, steps, at_rest, throws ? arrays.set("node").begin() + 17 : -1);
+  const Traffic traffic = on.traffic();
+  Digest digest;
+  each_block([&](index_t /*first*/, auto positions) { add(digest, positions); });
+  std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers) +
+                     " overlapped " + std::to_string(traffic.overlapped);
+  for (const std::string& kernel : on.unknown_kernels()) more += " unknown " + kernel;
+  if (ranks.is_first()) print(digest, body, more);
+}
+
+void run_on(const Ranks& ranks, const Mesh& mesh, int steps, bool throws) {
+  scenes::relax_scene::Distributed<> body(ranks,
+                                          {.node = mesh.nodes(), .edge = mesh.springs(), .end = 2 * mesh.springs()});
+  body.connect(body.edges, [&](index_t e) { return mesh.edge(e); });
+  body.connect(body.ranges, body.ends, [&](index_t node) -> const auto& { return mesh.row(node); });
+  body.cut();
+  body.fill(body.positions, [&](index_t node) { return mesh.position(node); });
+  run_cut(ranks, body, body, steps, throws, [&](const auto& use) { body.each_block(body.positions, use, 1 << 16); });
+}
+
+void run_by_hand(const Ranks& ranks, const Mesh& mesh, int steps, bool has_table) {
+  Body body;
   DistributedArrays arrays(ranks, has_table ? HaloUses(springs::halos) : HaloUses());
   arrays.add_set("node", mesh.nodes());
-  arrays.add_set("edge", static_cast<index_t>(mesh.edges.size()));
+  arrays.add_set("edge", mesh.springs());
+  arrays.add_replicated_set("one", 1);
   arrays.follow("edge", "node");
   arrays.add("body.positions", "node", body.positions);
   arrays.add("body.forces", "node", body.forces);
   arrays.add("body.ranges", "node", body.ranges);
   arrays.add("body.edges", "edge", body.edges);
   arrays.add("body.springs", "edge", body.springs);
-  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return mesh.edges[static_cast<std::size_t>(e)]; });
-  arrays.connect_rows(body.ranges, "body.ends", body.ends, "element", "edge",
-                      [&](index_t node) -> const auto& { return mesh.ends[static_cast<std::size_t>(node)]; });
+  arrays.add("body.state", "one", body.state);
+  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return mesh.edge(e); });
+  arrays.connect_rows(body.ranges, "body.ends", body.ends.contents(), "element", "edge",
+                      [&](index_t node) -> const auto& { return mesh.row(node); });
   arrays.cut();
   arrays.fill(body.positions, [&](index_t node) { return mesh.position(node); });
-  if (throws == ranks.rank()) body.refused = arrays.set("node").begin() + 17;
-  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
-  springs::relax(on, body, steps, 1e-3);
-  const Traffic traffic = on.traffic();
-  Digest digest;
-  arrays.each_block(
-      body.positions,
-      [&](index_t /*first*/, auto view) {
-        for (index_t i = 0; i < view.size(); ++i) {
-          for (int k = 0; k < 3; ++k) digest.add(view[i].x()[k]);
-        }
-      },
-      1 << 16);
-  std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers) +
-                     " overlapped " + std::to_string(traffic.overlapped);
-  for (const std::string& kernel : on.unknown_kernels()) more += " unknown " + kernel;
-  if (ranks.is_first()) print(digest, body, more.c_str());
+  run_cut(ranks, arrays, body, steps, false, [&](const auto& use) { arrays.each_block(body.positions, use, 1 << 16); });
 }
 
 int run(int argc, char** argv) {
   index_t cells = 24;
   int steps = 20, throws = -1, kill = -1, other = -1, fails = -1;
-  bool plain = false, has_table = true, is_near = false;
+  bool plain = false, by_hand = false, has_table = true, is_near = false;
   std::string options;
   const Ranks ranks(argc, argv);
   for (int a = 1; a < argc; ++a) {
     const std::string what = argv[a];
     if (what == "--plain")
       plain = true;
+    else if (what == "--by-hand")
+      by_hand = true;
     else if (what == "--no-table")
-      has_table = false;
+      by_hand = true, has_table = false;
     else if (what == "--near")
       is_near = true;
     else if (a + 1 == argc)
@@ -194,7 +210,13 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (kill == ranks.rank()) std::raise(SIGKILL);
-  ranks.guard([&] { run_on(ranks, mesh, steps, has_table, throws); });
+  ranks.guard([&] {
+    if (by_hand) {
+      run_by_hand(ranks, mesh, steps, has_table);
+    } else {
+      run_on(ranks, mesh, steps, throws == ranks.rank());
+    }
+  });
   return 0;
 }
 

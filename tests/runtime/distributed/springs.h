@@ -1,11 +1,10 @@
-// A program for one process and for several ranks: springs pull nodes until they are at rest. And its table of kernels.
+// The kernels of the scene relax, and their table as it is written by hand.
 #pragma once
 
 #include <elasticity.physgen.h>
 #include <physgen/distributed/halo_uses.h>
 #include <physgen/error.h>
 #include <physgen/kernel.h>
-#include <physgen/launch/reduce.h>
 #include <physgen/rows.h>
 
 #include <string>
@@ -65,18 +64,9 @@ struct Move {
   Scalar step;
   index_t refused;  ///< the local number of a node at which it throws, or -1
 
-  template <class I>
-  PHYSGEN_FUNCTION void operator()(I i) const {
-    using S = lanes_t<Scalar, I>;
-    using Vector = Eigen::Matrix<S, 3, 1>;
-    bool is_refused = false;
-    if constexpr (std::is_integral_v<I>) {
-      is_refused = index_t{i} == refused;
-    } else if constexpr (requires { I::width; }) {
-      is_refused = i.begin <= refused && refused < i.begin + I::width;
-    }
-    if (is_refused) throw Error("node " + std::to_string(refused) + " may not move");
-    positions[i].x() = Vector(positions[i].x().get() + forces[i].f().get() * S(step));
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
+    if (object_number(node) == refused) throw Error("node " + std::to_string(refused) + " may not move");
+    positions[node].x() = positions[node].x().get() + forces[node].f().get() * step;
   }
 };
 template <class F, class P>
@@ -139,33 +129,5 @@ inline constexpr HaloUse halos[] = {
     {"springs::Move", 1, "x", {.reads_own = true, .writes_own = true}},
     {"springs::SquaredForce", 0, "f", {.reads_own = true}},
 };
-
-/// Arrays of the program.
-struct Body {
-  elasticity::NodePositionArray<float> positions;
-  elasticity::NodeForceArray<float> forces, springs;
-  elasticity::EdgeArray<float> edges;
-  elasticity::IncidenceRangeArray<float> ranges;
-  elasticity::IncidenceArray<float> ends;
-  elasticity::NodeForceArray<double> state{1};
-  index_t refused = -1;
-};
-
-template <class On>
-void relax(On& on, Body& body, int steps, double most) {
-  typename On::Loop loop;
-  on.repeat(
-      loop, steps,
-      [&] {
-        on.run(body.edges.size(),
-               Pull{body.edges.const_view(), body.positions.const_view(), body.springs.view(), 0.7F});
-        on.run(body.forces.size(), SumPulls{Rows(body.ranges.const_view(), body.ends.const_view(), body.edges.size()),
-                                            body.springs.const_view(), body.forces.view()});
-        on.run(body.positions.size(), Move{body.forces.const_view(), body.positions.view(), 0.1F, body.refused});
-        on.reduce(body.forces.size(), SquaredForce{body.forces.const_view()}, Sum{}, StoreSquare{body.state.view()});
-      },
-      IsAtRest{body.state.const_view(), most});
-  on.reduce(body.forces.size(), SquaredForce{body.forces.const_view()}, Argmax{}, StoreNode{body.state.view()});
-}
 
 }  // namespace springs

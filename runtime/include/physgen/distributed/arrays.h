@@ -170,7 +170,7 @@ void DistributedArrays::each_block(const Array& array, const Body& body, index_t
   for (index_t first = 0; first < all; first += step) {
     const index_t last = std::min(first + step, all);
     Array window(ranks().is_first() ? last - first : 0);
-    for (int owner = 0; owner < ranks().count(); ++owner) {
+    for (int owner = 0; owner < objects.runs().ranks(); ++owner) {  // one of what all ranks have
       const index_t begin = std::max(first, objects.runs().begin(owner)),
                     end = std::min(last, objects.runs().end(owner));
       if (begin >= end || (owner != ranks().rank() && !ranks().is_first())) continue;
