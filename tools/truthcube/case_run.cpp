@@ -15,11 +15,13 @@
 #include "fields.h"
 #include "interrupts.h"
 #include "memory.h"
+#include "mesh_order.h"
 #include "needed_memory.h"
 #include "output/case_tables.h"
 #include "output/folder_lock.h"
 #include "output/run_json.h"
 #include "output/vtkhdf.h"
+#include "own_numbers.h"
 #include "parse.h"
 #include "run_files.h"
 #include "scene.h"
@@ -51,8 +53,9 @@ class CaseSteps {
         locations_(std::move(locations)),
         terminal_(terminal) {
     if (options.out.empty()) return;
-    const fem::MeshLevel& level = scene.levels.front();
-    vtk_.emplace(options.out / "cube.vtkhdf", level.rest, level.mesh.tets);
+    write_order_of(options.out, scene);
+    const DrawnMesh drawn(scene);
+    vtk_.emplace(options.out / "cube.vtkhdf", drawn.rest, drawn.tets);
     write_tables();
   }
 
@@ -103,8 +106,9 @@ class CaseSteps {
     if (!vtk_) return;
     const fem::MeshLevel& level = scene_.levels.front();
     const Strain strain = options_.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite;
-    write_state(*vtk_, static_cast<double>(states_.size()),
-                make_fields(level.mesh, level.rest, positions, solver_.stresses(), strain));
+    write_state(
+        *vtk_, static_cast<double>(states_.size()),
+        in_own_order(make_fields(level.mesh, level.rest, positions, solver_.stresses(), strain), scene_.numbers));
     write_tables();
   }
 
@@ -171,7 +175,9 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   constexpr int parts = 3;
   terminal.set_up(1, parts, "the mesh");
   std::vector<std::string> notes;
-  const Scene scene = make_case_scene(options, read_mesh(options, notes));
+  GivenMesh given = read_mesh(options, notes);
+  bring_into_order(given, options);
+  const Scene scene = make_case_scene(options, std::move(given));
   const std::vector<LevelCounts> counts = count_levels(scene.levels);
   require_mesh_fits(counts);
   notes.insert(notes.end(), options.notes.begin(), options.notes.end());

@@ -18,6 +18,9 @@ enum class TopPlate { bonded, frictionless };
 /// How plates treat the sides of the body: they ignore them, or push back those that reach them.
 enum class Plates { held, contact };
 
+/// How a mesh of the user's numbers its nodes and tets: as its file does, or by parts that METIS finds.
+enum class NodeOrder { mesh, metis };
+
 /// The problem that is solved; see scene_choice.h.
 #define PHYSGEN_SCENE_KIND(scene, ...) scene,
 enum class SceneKind {
@@ -44,6 +47,7 @@ struct Options {
   double grading = 1;                                ///< of the cube's cells: see fem::grade_cube()
   std::filesystem::path mesh;                        ///< in place of the cube
   int refinements = 0;                               ///< of that mesh
+  NodeOrder order = NodeOrder::mesh;                 ///< of that mesh
   std::filesystem::path case_file;                   ///< in place of plates and compressions
   Case given_case;                                   ///< what that file says
   double plate_tolerance = default_plate_tolerance;  ///< in mean edge lengths of that mesh

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "choices.h"
+#include "own_numbers.h"
 #include "settings_json.h"
 
 namespace physgen::truthcube {
@@ -15,8 +17,13 @@ namespace {
 using fem::Point;
 
 constexpr const char* checkpoint_name = "checkpoint.h5";
+constexpr const char* order_name = "order.h5";
 constexpr const char* record_name = "run.json";
 constexpr const char* viewers_name = "cube.vtkhdf";
+
+OrderMark mark_of(const Options& options, const Scene& scene) {
+  return {name_of(orders, options.order), scene.order.digest()};
+}
 
 /// Positions of all levels behind each other, as a checkpoint has them.
 std::vector<double> flat(const fem::SolverState& state) {
@@ -57,19 +64,33 @@ void write_state(VtkHdfWriter& vtk, double time, const Fields& fields) {
   vtk.write_step(time, of_points, of_cells);
 }
 
+void write_order_of(const std::filesystem::path& folder, const Scene& scene) {
+  if (scene.order.is_own()) {
+    std::filesystem::remove(folder / order_name);
+  } else {
+    write_order(folder / order_name, scene.order);
+  }
+}
+
 RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
       strain_(options.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite),
+      order_(mark_of(options, scene)),
+      numbers_(scene.numbers),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
   const auto vtk = file(viewers_name), csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
-  if (steps_done == 0) std::filesystem::remove(file(checkpoint_name));
-  vtk_.emplace(steps_done > 0 ? VtkHdfWriter::append_to(vtk, rest_, mesh_.tets, steps_done)
-                              : VtkHdfWriter(vtk, rest_, mesh_.tets));
+  if (steps_done == 0) {
+    std::filesystem::remove(file(checkpoint_name));
+    write_order_of(folder_, scene);
+  }
+  const DrawnMesh drawn(scene);
+  vtk_.emplace(steps_done > 0 ? VtkHdfWriter::append_to(vtk, drawn.rest, drawn.tets, steps_done)
+                              : VtkHdfWriter(vtk, drawn.rest, drawn.tets));
   if (!options.is_cube()) return;
   beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
   locations_ = fem::locate(rest_, mesh_, bead_positions());
@@ -82,8 +103,7 @@ void RunFiles::write_record(const RunRecord& record) const {
 void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
                           const std::vector<std::array<double, 9>>& stresses) {
   if (!vtk_) return;
-  const Fields fields = make_fields(mesh_, rest_, positions, stresses, strain_);
-  write_state(*vtk_, time, fields);
+  write_state(*vtk_, time, in_own_order(make_fields(mesh_, rest_, positions, stresses, strain_), numbers_));
   if (beads_) {
     beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, positions));
   }
@@ -93,13 +113,25 @@ void RunFiles::write_step(const RunRecord& record, double time, const std::vecto
 void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState& state) const {
   if (!writes()) return;
   // Last: what it counts is complete.
-  truthcube::write_checkpoint(
-      file(checkpoint_name),
-      {settings_, mesh_hash_, static_cast<int>(record.steps.size()), record.steps.back().compression, flat(state), {}});
+  truthcube::write_checkpoint(file(checkpoint_name), {settings_,
+                                                      mesh_hash_,
+                                                      static_cast<int>(record.steps.size()),
+                                                      record.steps.back().compression,
+                                                      flat(state),
+                                                      {},
+                                                      order_});
 }
 
-Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash) {
-  return read_checkpoint(options.out / checkpoint_name, settings_json(options), mesh_hash);
+void require_last_order(const Options& options) {
+  require_order(options.out / checkpoint_name, name_of(orders, options.order));
+}
+
+MeshOrder read_last_order(const Options& options, std::uint64_t mesh_hash) {
+  return read_order(options.out / order_name, mesh_hash);
+}
+
+Checkpoint read_last_step(const Options& options, const Scene& scene, std::uint64_t mesh_hash) {
+  return read_checkpoint(options.out / checkpoint_name, settings_json(options), mesh_hash, mark_of(options, scene));
 }
 
 std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint) {
