@@ -14,6 +14,7 @@
 #include "case_state_of.h"
 #include "interrupts.h"
 #include "memory.h"
+#include "mesh_order.h"
 #include "needed_memory.h"
 #include "output/case_tables.h"
 #include "output/folder_lock.h"
@@ -50,6 +51,7 @@ class CaseSteps {
         locations_(std::move(locations)),
         terminal_(terminal) {
     if (options.out.empty()) return;
+    write_order_of(options.out, scene);
     viewers_.emplace(options, scene, 0);
     write_tables();
   }
@@ -166,7 +168,9 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   constexpr int parts = 3;
   terminal.set_up(1, parts, "the mesh");
   std::vector<std::string> notes;
-  const Scene scene = make_case_scene(options, read_mesh(options, notes));
+  GivenMesh given = read_mesh(options, notes);
+  bring_into_order(given, options);
+  const Scene scene = make_case_scene(options, std::move(given));
   const std::vector<LevelCounts> counts = count_levels(scene.levels);
   require_mesh_fits(counts);
   notes.insert(notes.end(), options.notes.begin(), options.notes.end());

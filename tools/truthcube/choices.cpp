@@ -7,6 +7,7 @@ const Names<VolumeTreatment> volumes{
 const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
 const Names<Plates> plate_kinds{{"held", Plates::held}, {"contact", Plates::contact}};
 const Names<Output> outputs{{"body", Output::body}, {"surface", Output::surface}};
+const Names<NodeOrder> orders{{"mesh", NodeOrder::mesh}, {"metis", NodeOrder::metis}};
 const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
 #ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
                                  {"cuda", fem::Device::cuda}

@@ -14,6 +14,7 @@ extern const Names<VolumeTreatment> volumes;
 extern const Names<TopPlate> tops;
 extern const Names<Plates> plate_kinds;
 extern const Names<Output> outputs;
+extern const Names<NodeOrder> orders;
 extern const Names<fem::Device> devices;
 extern const Names<fem::TangentPrecision> precisions;
 extern const Names<fem::Preconditioner> preconditioners;

@@ -20,6 +20,9 @@ enum class Plates { held, contact };
 /// What the file for viewers has: all of the body, or its surface alone.
 enum class Output { body, surface };
 
+/// How a mesh of the user's numbers its nodes and tets: as its file does, or by parts that METIS finds.
+enum class NodeOrder { mesh, metis };
+
 /// The problem that is solved; see scene_choice.h.
 #define PHYSGEN_SCENE_KIND(scene, ...) scene,
 enum class SceneKind {
@@ -46,6 +49,7 @@ struct Options {
   double grading = 1;                                ///< of the cube's cells: see fem::grade_cube()
   std::filesystem::path mesh;                        ///< in place of the cube
   int refinements = 0;                               ///< of that mesh
+  NodeOrder order = NodeOrder::mesh;                 ///< of that mesh
   std::filesystem::path case_file;                   ///< in place of plates and compressions
   Case given_case;                                   ///< what that file says
   double plate_tolerance = default_plate_tolerance;  ///< in mean edge lengths of that mesh

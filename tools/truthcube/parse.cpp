@@ -8,6 +8,7 @@
 #include "choices.h"
 #include "command_line.h"
 #include "grading.h"
+#include "mesh_order.h"
 #include "scene_choice.h"
 #include "sizes.h"
 
@@ -139,6 +140,10 @@ Options parse(const std::vector<std::string>& arguments) {
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
       ->check(whole_number(0, 6))
       ->type_name("N");
+  const auto* order = add_choice(
+      app, "--order", options.order, orders, "order",
+      "order in which the solver has nodes and tets of the mesh: that of its file, or by parts that METIS finds, which "
+      "is faster where the file's numbers jump; files and messages keep the mesh's numbers");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
       "the problem that is solved: equilibria by Newton's method with any of the choices below (everything); the same "
@@ -267,6 +272,7 @@ Options parse(const std::vector<std::string>& arguments) {
           "--plate-tolerance is for a mesh of your own: the faces of the cube are flat");
   require(output->count() == 0 || !options.out.empty(),
           "--output says what the files in --out DIR have; add --out, or remove --output");
+  check_order(options, order->count() > 0);
   require(grading->count() == 0 || options.is_cube(),
           "--grading is for the cube: a mesh of your own has the cells that its file says; remove --grading");
   if (options.historical) {

@@ -15,6 +15,7 @@
 #include "case_run.h"
 #include "device_start.h"
 #include "memory.h"
+#include "mesh_order.h"
 #include "motion.h"
 #include "needed_memory.h"
 #include "output/folder_lock.h"
@@ -66,9 +67,13 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   std::vector<std::string> notes;
   Scene scene;
   if (!options.is_cube()) {
+    if (options.restart) require_last_order(options);
     GivenMesh given = read_mesh(options, notes);
+    bring_into_order(given, options);
     scene = make_scene(options, std::move(given.levels));
     scene.tet_tags = std::move(given.tet_tags);
+    scene.order = std::move(given.order);
+    scene.numbers = std::move(given.numbers);
     scene.refinements = options.refinements;
   }
   const std::vector<LevelCounts> counts =
@@ -111,7 +116,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   RunRecord record;
   std::optional<Checkpoint> checkpoint;
   if (options.restart) {
-    checkpoint = read_last_step(options, hash);
+    checkpoint = read_last_step(options, scene, hash);
     record.steps = read_steps(options, *checkpoint);
     for (const double compression : options.compressions) {
       const auto is_it = [=](const StepRecord& step) { return step.compression == compression; };

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "choices.h"
 #include "settings_json.h"
 
 namespace physgen::truthcube {
@@ -15,7 +16,12 @@ namespace {
 using fem::Point;
 
 constexpr const char* checkpoint_name = "checkpoint.h5";
+constexpr const char* order_name = "order.h5";
 constexpr const char* record_name = "run.json";
+
+OrderMark mark_of(const Options& options, const Scene& scene) {
+  return {name_of(orders, options.order), scene.order.digest()};
+}
 
 /// Positions of all levels behind each other, as a checkpoint has them.
 std::vector<double> flat(const fem::SolverState& state) {
@@ -49,16 +55,28 @@ void write_set_up(const std::filesystem::path& folder, const RunRecord& record) 
   if (!folder.empty()) write_run_json(folder / record_name, record);
 }
 
+void write_order_of(const std::filesystem::path& folder, const Scene& scene) {
+  if (scene.order.is_own()) {
+    std::filesystem::remove(folder / order_name);
+  } else {
+    write_order(folder / order_name, scene.order);
+  }
+}
+
 RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
+      order_(mark_of(options, scene)),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
   const auto csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
-  if (steps_done == 0) std::filesystem::remove(file(checkpoint_name));
+  if (steps_done == 0) {
+    std::filesystem::remove(file(checkpoint_name));
+    write_order_of(folder_, scene);
+  }
   viewers_.emplace(options, scene, steps_done);
   if (!options.is_cube()) return;
   beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
@@ -82,13 +100,25 @@ void RunFiles::write_step(const RunRecord& record, double time, const std::vecto
 void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState& state) const {
   if (!writes()) return;
   // Last: what it counts is complete.
-  truthcube::write_checkpoint(
-      file(checkpoint_name),
-      {settings_, mesh_hash_, static_cast<int>(record.steps.size()), record.steps.back().compression, flat(state), {}});
+  truthcube::write_checkpoint(file(checkpoint_name), {settings_,
+                                                      mesh_hash_,
+                                                      static_cast<int>(record.steps.size()),
+                                                      record.steps.back().compression,
+                                                      flat(state),
+                                                      {},
+                                                      order_});
 }
 
-Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash) {
-  return read_checkpoint(options.out / checkpoint_name, settings_json(options), mesh_hash);
+void require_last_order(const Options& options) {
+  require_order(options.out / checkpoint_name, name_of(orders, options.order));
+}
+
+MeshOrder read_last_order(const Options& options, std::uint64_t mesh_hash) {
+  return read_order(options.out / order_name, mesh_hash);
+}
+
+Checkpoint read_last_step(const Options& options, const Scene& scene, std::uint64_t mesh_hash) {
+  return read_checkpoint(options.out / checkpoint_name, settings_json(options), mesh_hash, mark_of(options, scene));
 }
 
 std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint) {

@@ -28,6 +28,9 @@ void require_no_run(const std::filesystem::path& folder);
 /// Its record, without steps; nothing where the folder is empty.
 void write_set_up(const std::filesystem::path& folder, const RunRecord& record);
 
+/// Writes the order of a mesh that has another than its own; else removes that of an old run.
+void write_order_of(const std::filesystem::path& folder, const Scene& scene);
+
 class RunFiles {
  public:
   /// Begins the files anew, or continues those of a run after its first `steps_done` steps.
@@ -50,6 +53,7 @@ class RunFiles {
   std::filesystem::path folder_;
   std::string settings_;
   std::uint64_t mesh_hash_;
+  OrderMark order_;
   const std::vector<fem::Point>& rest_;
   const fem::TetMesh& mesh_;
   std::optional<ViewersFile> viewers_;
@@ -57,8 +61,12 @@ class RunFiles {
   std::vector<fem::Location> locations_;
 };
 
+/// For a run that goes on. @throw Error when the checkpoint in its folder is of another --order
+void require_last_order(const Options& options);
+/// The order of the mesh in the folder of a run. @throw Error as read_order()
+[[nodiscard]] MeshOrder read_last_order(const Options& options, std::uint64_t mesh_hash);
 /// The checkpoint that is in the folder of a run. @throw Error as read_checkpoint()
-[[nodiscard]] Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash);
+[[nodiscard]] Checkpoint read_last_step(const Options& options, const Scene& scene, std::uint64_t mesh_hash);
 /// The record of the steps up to the checkpoint. @throw Error when there is none, or it has fewer steps
 [[nodiscard]] std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint);
 /// The state in a checkpoint. @param shape a state of the same solver, for the number of levels and nodes

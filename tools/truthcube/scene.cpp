@@ -105,7 +105,7 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
       }
     }
   }
-  return {std::move(levels), std::move(read.tet_tags), std::move(groups)};
+  return {std::move(levels), std::move(read.tet_tags), std::move(groups), {}, {}};
 }
 
 std::vector<MeshLevel> make_cube(const Options& options) {
@@ -156,6 +156,8 @@ Scene make_case_scene(const Options& options, GivenMesh given) {
   for (MeshLevel& level : given.levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
   scene.levels = std::move(given.levels);
   scene.tet_tags = std::move(given.tet_tags);
+  scene.order = std::move(given.order);
+  scene.numbers = std::move(given.numbers);
   scene.refinements = options.refinements;
   scene.history = fem::make_load_history(options.given_case.load_case, scene.levels, given.groups);
   scene.groups = std::move(given.groups.front());
@@ -209,6 +211,7 @@ void adapt_smoother(Options& options, const Scene& scene) {
 }
 
 std::string name_of_tet(const Scene& scene, Index tet) {
+  if (const auto& own = scene.numbers.tet_order; !own.empty()) tet = own[static_cast<std::size_t>(tet)];
   const std::string name = "tet " + std::to_string(tet);
   const auto element = static_cast<std::size_t>(tet) >> (3 * static_cast<unsigned>(scene.refinements));
   if (element >= scene.tet_tags.size()) return name;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "options.h"
+#include "output/order_file.h"
 #include "plates.h"
 #include "sizes.h"
 
@@ -18,8 +19,10 @@ namespace physgen::truthcube {
 /// A mesh that the user has given.
 struct GivenMesh {
   std::vector<fem::MeshLevel> levels;               ///< refined, finest first
-  std::vector<std::size_t> tet_tags;                ///< per tet of the coarsest level: its element's number in the file
+  std::vector<std::size_t> tet_tags;                ///< per own tet of the coarsest level: its number in the file
   std::vector<std::vector<fem::MeshGroup>> groups;  ///< of each level
+  MeshOrder order;                                  ///< of the coarsest level
+  fem::Renumbering numbers;                         ///< of the finest level, as that order gives them; or none
 };
 
 /// The mesh in options.mesh, checked and refined.
@@ -36,6 +39,8 @@ struct Scene {
   double grading = 1;                  ///< of the cube
   std::vector<std::size_t> tet_tags;   ///< of a mesh of the user's, as GivenMesh has them
   std::vector<fem::MeshGroup> groups;  ///< of the finest level of a case's mesh
+  MeshOrder order;                     ///< of that mesh, as the next
+  fem::Renumbering numbers;            ///< of the finest level: the solver's numbers, where they are not the mesh's own
   int refinements = 0;                 ///< of that mesh: each tet of it is 8^refinements of the finest level
 };
 
@@ -60,7 +65,8 @@ struct Scene {
 /// a larger degree. Uniform cubes keep theirs.
 void adapt_smoother(Options& options, const Scene& scene);
 
-/// "tet 12", as cells of cube.vtkhdf are numbered; of a mesh of the user's "tet 12 (element 345 of the mesh file)".
+/// "tet 12", under the mesh's own numbers, as cells of cube.vtkhdf are numbered; of a mesh of the user's "tet 12
+/// (element 345 of the mesh file)".
 [[nodiscard]] std::string name_of_tet(const Scene& scene, fem::Index tet);
 
 /// How far the body reaches past the planes of the plates at a compression [m].

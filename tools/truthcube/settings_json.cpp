@@ -25,6 +25,7 @@ std::string settings_json(const Options& options) {
     json["grading"] = options.grading;
   } else {
     json["refine"] = options.refinements;
+    if (options.order != NodeOrder::mesh) json["order"] = name_of(orders, options.order);
     if (!options.is_case()) json["plate_tolerance"] = options.plate_tolerance;
   }
   if (options.is_case()) json["case"] = nlohmann::json::parse(options.given_case.text);

@@ -30,8 +30,9 @@ class ViewersFile {
 
  private:
   const fem::MeshLevel& level_;
+  const fem::Renumbering& numbers_;  // the file has the mesh's own
   Strain strain_;
-  std::optional<Surface> surface_;
+  std::optional<Surface> surface_;  // under the mesh's own numbers
   std::optional<VtkHdfWriter> file_;
 };
 

@@ -184,9 +184,10 @@ TEST(LoadCases, that_contradict_themselves_or_the_mesh_are_refused_with_group_va
   const LoadCase held{{{"z0"}}, {}, {}, {}, {}, 0};
   LoadCase wrong = held;
   wrong.supports.push_back({"x0", {.x = 0.01}});
-  EXPECT_EQ(refusal(wrong),
-            "groups 'z0' and 'x0' share node 0 and prescribe other displacements along x there, 0 and 0.01 m; "
-            "leave that component free in one of them");
+  EXPECT_EQ(
+      refusal(wrong),
+      "groups 'z0' and 'x0' share the node at (0, 0, 0) m at rest and prescribe other displacements along x there, "
+      "0 and 0.01 m; leave that component free in one of them");
   wrong = held;
   wrong.tractions.push_back({"tip", {1, 0, 0}});
   EXPECT_EQ(refusal(wrong), "group 'tip' has no faces, and a traction needs them; take a group of a surface");

@@ -90,6 +90,32 @@ TEST_F(Checkpoints, of_another_mesh_are_refused) {
                "3 positions");
 }
 
+TEST_F(Checkpoints, of_another_order_are_refused_with_the_flag_to_add) {
+  Checkpoint c = checkpoint_of(1);
+  c.order = {"metis", 7};
+  write_checkpoint(path, c);
+  EXPECT_EQ(read_checkpoint(path, settings, hash, {"metis", 7}).order, c.order);
+  require_order(path, "metis");
+  expect_refused("--order metis and not mesh; add --order metis");
+  expect_error([&] { require_order(path, "mesh"); }, path.string(), "--order metis and not mesh; add --order metis");
+  expect_error([&] { static_cast<void>(read_checkpoint(path, settings, hash, {"metis", 8})); }, path.string(),
+               "another order of the mesh", "remove --restart");
+  write_checkpoint(path, checkpoint_of(1));
+  expect_error([&] { static_cast<void>(read_checkpoint(path, settings, hash, {"metis", 7})); }, path.string(),
+               "add --order mesh");
+  require_order(in_folder("absent.h5"), "metis");
+}
+
+TEST_F(Checkpoints, of_versions_without_an_order_are_of_the_meshs_own) {
+  write_checkpoint(path, checkpoint_of(1));
+  {
+    const testing::H5File file(path, true);
+    EXPECT_GE(H5Adelete(file.id(), "order"), 0);
+    EXPECT_GE(H5Adelete(file.id(), "order_digest"), 0);
+  }
+  expect_same(read(), checkpoint_of(1));
+}
+
 TEST_F(Checkpoints, of_other_settings_are_refused_with_each_key_that_differs) {
   write_checkpoint(path, checkpoint_of(1));
   const auto read_with = [&](const char* now) {

@@ -132,9 +132,12 @@ void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup
           const std::size_t other_curve = parts->number(other->curve);
           const double other_value = parts->at(other_curve).motion[at][k];
           if (other_value != value || (value != 0 && other_curve != curve)) {
-            throw Error("groups '" + other->group + "' and '" + support.group + "' share node " + std::to_string(n) +
-                        " and prescribe other displacements along " + "xyz"[k] + " there, " + number_text(other_value) +
-                        " and " + number_text(value) + " m" + (other_curve == curve ? "" : ", along other curves") +
+            const Point& x = level.rest[at];
+            throw Error("groups '" + other->group + "' and '" + support.group + "' share the node at (" +
+                        number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) +
+                        ") m at rest and prescribe other displacements along " + "xyz"[k] + " there, " +
+                        number_text(other_value) + " and " + number_text(value) + " m" +
+                        (other_curve == curve ? "" : ", along other curves") +
                         "; leave that component free in one of them");
           }
         }

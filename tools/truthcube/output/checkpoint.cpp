@@ -29,6 +29,10 @@ std::uint64_t checksum(const Checkpoint& c) {
   hash.add(std::bit_cast<std::uint64_t>(c.compression));
   hash.add(std::as_bytes(std::span(c.positions)));
   hash.add(std::as_bytes(std::span(c.pressures)));
+  if (c.order != OrderMark{}) {  // which older files do not have
+    hash.add(std::as_bytes(std::span(c.order.name)));
+    hash.add(c.order.digest);
+  }
   return hash.value();
 }
 
@@ -61,6 +65,17 @@ struct Unusable : Error {
   using Error::Error;
 };
 
+OrderMark order_in(const h5::File& file) {
+  if (!file.has_attribute("/", "order")) return {};  // an older one
+  return {file.read_text_attribute("/", "order"), file.read_attribute<std::uint64_t>("/", "order_digest")};
+}
+
+void require_same_name(const std::string& path, const OrderMark& order, const std::string& name) {
+  if (order.name == name) return;
+  throw Unusable(path + ": this checkpoint has its nodes in another order than this run, --order " + order.name +
+                 " and not " + name + "; add --order " + order.name);
+}
+
 // The contents of the file, unchecked but for its version and checksum.
 Checkpoint read_all(const std::filesystem::path& path) {
   const std::string name = path.string();
@@ -82,6 +97,7 @@ Checkpoint read_all(const std::filesystem::path& path) {
     c.compression = file.read_attribute<double>("/", "compression");
     c.positions = file.read_dataset<double>("/positions");
     c.pressures = file.read_dataset<double>("/pressures");
+    c.order = order_in(file);
     if (checksum(c) != file.read_attribute<std::uint64_t>("/", "checksum")) {
       throw Unusable(name + ": is damaged: its checksum is not that of its contents");
     }
@@ -109,12 +125,15 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c) {
     file.write_attribute("/", "compression", one(c.compression));
     file.write_dataset<double>("/positions", std::span<const double>(c.positions));
     file.write_dataset<double>("/pressures", std::span<const double>(c.pressures));
+    file.write_attribute("/", "order", c.order.name);
+    file.write_attribute("/", "order_digest", one(c.order.digest));
     file.write_attribute("/", "checksum", one(checksum(c)));
     file.close();
   });
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& settings, std::uint64_t mesh_hash) {
+Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& settings, std::uint64_t mesh_hash,
+                           const OrderMark& order) {
   const std::string name = path.string();
   const Json now = parse_settings(settings, name);
   std::error_code error;
@@ -122,6 +141,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
     throw Error(name + ": this checkpoint does not exist; remove --restart to start from the beginning");
   }
   Checkpoint c = read_all(path);
+  require_same_name(name, c.order, order.name);
   const std::string differing = differences(parse_settings(c.settings, name), now);
   if (!differing.empty()) {
     throw Error(name + ": this checkpoint belongs to a run with other settings: " + differing +
@@ -129,11 +149,21 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
                 "version " +
                 "of truthcube wrote it, remove --restart to start from the beginning");
   }
+  if (c.order != order) {
+    throw Error(name +
+                ": this checkpoint belongs to another order of the mesh than the one in the folder: the files "
+                "come from different runs; remove --restart to start from the beginning");
+  }
   if (c.mesh_hash != mesh_hash) {
     throw Error(name + ": this checkpoint belongs to another mesh (" + std::to_string(c.positions.size() / 3) +
                 " positions)");
   }
   return c;
+}
+
+void require_order(const std::filesystem::path& path, const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) require_same_name(path.string(), read_all(path).order, name);
 }
 
 }  // namespace physgen::truthcube
