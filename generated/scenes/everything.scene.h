@@ -9,9 +9,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct everything;
-}
+namespace scenes { struct everything; }
 
 /// Equilibrium and motion of a body with every choice that there is: volumes of tets, patches or nodes; products
 /// assembled or by tets; each preconditioner, on meshes and background grids, stored as computed or in half; rigid

@@ -8,9 +8,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct explicit_dynamics;
-}
+namespace scenes { struct explicit_dynamics; }
 
 /// Explicit dynamics of a Neo-Hookean body: one step of symplectic Euler with lumped mass, and the motion after it.
 namespace scenes::explicit_dynamics_scene {

@@ -7,9 +7,7 @@
 
 #include <elasticity.physgen.h>
 
-namespace scenes {
-struct force_chain;
-}
+namespace scenes { struct force_chain; }
 
 /// Elastic forces of a Neo-Hookean body: from the positions of its nodes to the force on each.
 namespace scenes::force_chain_scene {

@@ -8,9 +8,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct implicit_dynamics;
-}
+namespace scenes { struct implicit_dynamics; }
 
 /// Motion of a stable Neo-Hookean body: one step of backward Euler with lumped mass and damping, whose equilibrium is
 /// found as that of the scene quasistatic. Volumes are averaged over patches of tets.
@@ -155,28 +153,15 @@ struct Body {
 namespace tags::patches {
 struct tet_patches { static constexpr const char* name = "patches.tet_patches"; };
 struct nodes { static constexpr const char* name = "patches.nodes"; };
-struct parents {
-  static constexpr const char* name = "patches.parents";
-  struct patch;
-};
+struct parents { static constexpr const char* name = "patches.parents"; struct patch; };
 struct patch_tet_ranges { static constexpr const char* name = "patches.patch_tet_ranges"; };
 struct patch_tet_entries { static constexpr const char* name = "patches.patch_tet_entries"; };
 struct edge_patch_ranges { static constexpr const char* name = "patches.edge_patch_ranges"; };
 struct edge_patch_entries { static constexpr const char* name = "patches.edge_patch_entries"; };
-struct node_patch_ranges {
-  static constexpr const char* name = "patches.node_patch_ranges";
-  struct begin;
-  struct end;
-};
-struct node_patch_entries {
-  static constexpr const char* name = "patches.node_patch_entries";
-  struct code;
-};
+struct node_patch_ranges { static constexpr const char* name = "patches.node_patch_ranges"; struct begin; struct end; };
+struct node_patch_entries { static constexpr const char* name = "patches.node_patch_entries"; struct code; };
 struct tangent { static constexpr const char* name = "patches.tangent"; };
-struct changes {
-  static constexpr const char* name = "patches.changes";
-  struct change;
-};
+struct changes { static constexpr const char* name = "patches.changes"; struct change; };
 }  // namespace tags::patches
 
 /// How quasistatic::PatchParent is stored in patches.parents. Not stored:
@@ -366,19 +351,12 @@ struct correction { static constexpr const char* name = "level.correction"; };
 struct direction { static constexpr const char* name = "level.direction"; };
 struct power { static constexpr const char* name = "level.power"; };
 struct parents { static constexpr const char* name = "level.parents"; };
-struct grid_parents {
-  static constexpr const char* name = "level.grid_parents";
-  struct nodes;
-  struct weights;
-};
+struct grid_parents { static constexpr const char* name = "level.grid_parents"; struct nodes; struct weights; };
 struct child_ranges { static constexpr const char* name = "level.child_ranges"; };
 struct child_entries { static constexpr const char* name = "level.child_entries"; };
 struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; };
 struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; };
-struct translations {
-  static constexpr const char* name = "level.translations";
-  struct T;
-};
+struct translations { static constexpr const char* name = "level.translations"; struct T; };
 struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; };
 }  // namespace tags::level
 

@@ -7,9 +7,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct linear_elastic;
-}
+namespace scenes { struct linear_elastic; }
 
 /// Linear elasticity: an equilibrium by conjugate gradients without blocks of edges, preconditioned by the inverses of
 /// nodes' blocks.
@@ -20,15 +18,8 @@ struct tets { static constexpr const char* name = "linear.tets"; };
 struct rest { static constexpr const char* name = "linear.rest"; };
 struct node_tet_ranges { static constexpr const char* name = "linear.node_tet_ranges"; };
 struct node_tets { static constexpr const char* name = "linear.node_tets"; };
-struct edge_tet_ranges {
-  static constexpr const char* name = "linear.edge_tet_ranges";
-  struct begin;
-  struct end;
-};
-struct edge_tets {
-  static constexpr const char* name = "linear.edge_tets";
-  struct code;
-};
+struct edge_tet_ranges { static constexpr const char* name = "linear.edge_tet_ranges"; struct begin; struct end; };
+struct edge_tets { static constexpr const char* name = "linear.edge_tets"; struct code; };
 struct displacements { static constexpr const char* name = "linear.displacements"; };
 struct motion { static constexpr const char* name = "linear.motion"; };
 struct loads { static constexpr const char* name = "linear.loads"; };
@@ -144,87 +135,28 @@ struct Linear {
 
 namespace tags::level {
 struct constraints { static constexpr const char* name = "level.constraints"; };
-struct edges {
-  static constexpr const char* name = "level.edges";
-  struct nodes;
-};
-struct node_edge_ranges {
-  static constexpr const char* name = "level.node_edge_ranges";
-  struct begin;
-  struct end;
-};
-struct node_edge_entries {
-  static constexpr const char* name = "level.node_edge_entries";
-  struct code;
-};
+struct edges { static constexpr const char* name = "level.edges"; struct nodes; };
+struct node_edge_ranges { static constexpr const char* name = "level.node_edge_ranges"; struct begin; struct end; };
+struct node_edge_entries { static constexpr const char* name = "level.node_edge_entries"; struct code; };
 struct node_stiffness { static constexpr const char* name = "level.node_stiffness"; };
-struct edge_stiffness {
-  static constexpr const char* name = "level.edge_stiffness";
-  struct E;
-};
-struct scales {
-  static constexpr const char* name = "level.scales";
-  struct inverse;
-};
-struct scaled_nodes {
-  static constexpr const char* name = "level.scaled_nodes";
-  struct K;
-};
-struct scaled_edges {
-  static constexpr const char* name = "level.scaled_edges";
-  struct E;
-};
+struct edge_stiffness { static constexpr const char* name = "level.edge_stiffness"; struct E; };
+struct scales { static constexpr const char* name = "level.scales"; struct inverse; };
+struct scaled_nodes { static constexpr const char* name = "level.scaled_nodes"; struct K; };
+struct scaled_edges { static constexpr const char* name = "level.scaled_edges"; struct E; };
 struct inverse { static constexpr const char* name = "level.inverse"; };
-struct smoother {
-  static constexpr const char* name = "level.smoother";
-  struct largest;
-  struct length;
-};
+struct smoother { static constexpr const char* name = "level.smoother"; struct largest; struct length; };
 struct residual { static constexpr const char* name = "level.residual"; };
 struct correction { static constexpr const char* name = "level.correction"; };
-struct direction {
-  static constexpr const char* name = "level.direction";
-  struct dx;
-};
-struct power {
-  static constexpr const char* name = "level.power";
-  struct dx;
-};
-struct parents {
-  static constexpr const char* name = "level.parents";
-  struct nodes;
-};
-struct grid_parents {
-  static constexpr const char* name = "level.grid_parents";
-  struct nodes;
-  struct weights;
-};
-struct child_ranges {
-  static constexpr const char* name = "level.child_ranges";
-  struct begin;
-  struct end;
-};
-struct child_entries {
-  static constexpr const char* name = "level.child_entries";
-  struct code;
-};
-struct edge_term_ranges {
-  static constexpr const char* name = "level.edge_term_ranges";
-  struct begin;
-  struct end;
-};
-struct edge_term_entries {
-  static constexpr const char* name = "level.edge_term_entries";
-  struct code;
-};
-struct translations {
-  static constexpr const char* name = "level.translations";
-  struct T;
-};
-struct coarse_inverse {
-  static constexpr const char* name = "level.coarse_inverse";
-  struct G;
-};
+struct direction { static constexpr const char* name = "level.direction"; struct dx; };
+struct power { static constexpr const char* name = "level.power"; struct dx; };
+struct parents { static constexpr const char* name = "level.parents"; struct nodes; };
+struct grid_parents { static constexpr const char* name = "level.grid_parents"; struct nodes; struct weights; };
+struct child_ranges { static constexpr const char* name = "level.child_ranges"; struct begin; struct end; };
+struct child_entries { static constexpr const char* name = "level.child_entries"; struct code; };
+struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; struct begin; struct end; };
+struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; struct code; };
+struct translations { static constexpr const char* name = "level.translations"; struct T; };
+struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; struct G; };
 }  // namespace tags::level
 
 /// How elasticity::Edge is stored in level.edges. Not stored:

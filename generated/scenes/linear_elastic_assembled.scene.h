@@ -7,9 +7,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct linear_elastic_assembled;
-}
+namespace scenes { struct linear_elastic_assembled; }
 
 /// Linear elasticity: an equilibrium by conjugate gradients with assembled stiffness, and each preconditioner that
 /// there is for it, on meshes and background grids, stored as computed or in half.

@@ -7,9 +7,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct quasistatic;
-}
+namespace scenes { struct quasistatic; }
 
 /// Equilibrium of a stable Neo-Hookean body: Newton's method, conjugate gradients with an assembled stiffness, and
 /// multigrid on meshes that halve each other's cells. Volumes are averaged over patches of tets.
@@ -159,20 +157,10 @@ struct patch_tet_ranges { static constexpr const char* name = "patches.patch_tet
 struct patch_tet_entries { static constexpr const char* name = "patches.patch_tet_entries"; };
 struct edge_patch_ranges { static constexpr const char* name = "patches.edge_patch_ranges"; };
 struct edge_patch_entries { static constexpr const char* name = "patches.edge_patch_entries"; };
-struct node_patch_ranges {
-  static constexpr const char* name = "patches.node_patch_ranges";
-  struct begin;
-  struct end;
-};
-struct node_patch_entries {
-  static constexpr const char* name = "patches.node_patch_entries";
-  struct code;
-};
+struct node_patch_ranges { static constexpr const char* name = "patches.node_patch_ranges"; struct begin; struct end; };
+struct node_patch_entries { static constexpr const char* name = "patches.node_patch_entries"; struct code; };
 struct tangent { static constexpr const char* name = "patches.tangent"; };
-struct changes {
-  static constexpr const char* name = "patches.changes";
-  struct change;
-};
+struct changes { static constexpr const char* name = "patches.changes"; struct change; };
 }  // namespace tags::patches
 
 /// How elasticity::IncidenceRange is stored in patches.node_patch_ranges. Not stored:
@@ -355,19 +343,12 @@ struct correction { static constexpr const char* name = "level.correction"; };
 struct direction { static constexpr const char* name = "level.direction"; };
 struct power { static constexpr const char* name = "level.power"; };
 struct parents { static constexpr const char* name = "level.parents"; };
-struct grid_parents {
-  static constexpr const char* name = "level.grid_parents";
-  struct nodes;
-  struct weights;
-};
+struct grid_parents { static constexpr const char* name = "level.grid_parents"; struct nodes; struct weights; };
 struct child_ranges { static constexpr const char* name = "level.child_ranges"; };
 struct child_entries { static constexpr const char* name = "level.child_entries"; };
 struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; };
 struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; };
-struct translations {
-  static constexpr const char* name = "level.translations";
-  struct T;
-};
+struct translations { static constexpr const char* name = "level.translations"; struct T; };
 struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; };
 }  // namespace tags::level
 

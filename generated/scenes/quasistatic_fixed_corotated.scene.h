@@ -7,9 +7,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct quasistatic_fixed_corotated;
-}
+namespace scenes { struct quasistatic_fixed_corotated; }
 
 /// Equilibrium of a fixed corotated body, tet by tet: Newton's method, conjugate gradients with an assembled stiffness,
 /// and multigrid on meshes that halve each other's cells.
@@ -22,15 +20,8 @@ struct node_tet_entries { static constexpr const char* name = "body.node_tet_ent
 struct edge_tet_ranges { static constexpr const char* name = "body.edge_tet_ranges"; };
 struct edge_tet_entries { static constexpr const char* name = "body.edge_tet_entries"; };
 struct volumes {
-  static constexpr const char* name = "body.volumes";
-  struct volume;
-  struct ratio;
-  struct pressure;
-  struct linearised;
-  struct tangent_pressure;
-  struct before;
-  struct full;
-};
+    static constexpr const char* name = "body.volumes"; struct volume; struct ratio; struct pressure; struct linearised;
+    struct tangent_pressure; struct before; struct full; };
 struct rest { static constexpr const char* name = "body.rest"; };
 struct positions { static constexpr const char* name = "body.positions"; };
 struct trial { static constexpr const char* name = "body.trial"; };
@@ -237,19 +228,12 @@ struct correction { static constexpr const char* name = "level.correction"; };
 struct direction { static constexpr const char* name = "level.direction"; };
 struct power { static constexpr const char* name = "level.power"; };
 struct parents { static constexpr const char* name = "level.parents"; };
-struct grid_parents {
-  static constexpr const char* name = "level.grid_parents";
-  struct nodes;
-  struct weights;
-};
+struct grid_parents { static constexpr const char* name = "level.grid_parents"; struct nodes; struct weights; };
 struct child_ranges { static constexpr const char* name = "level.child_ranges"; };
 struct child_entries { static constexpr const char* name = "level.child_entries"; };
 struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; };
 struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; };
-struct translations {
-  static constexpr const char* name = "level.translations";
-  struct T;
-};
+struct translations { static constexpr const char* name = "level.translations"; struct T; };
 struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; };
 }  // namespace tags::level
 

@@ -7,9 +7,7 @@
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>
 
-namespace scenes {
-struct quasistatic_matrix_free;
-}
+namespace scenes { struct quasistatic_matrix_free; }
 
 /// Equilibrium of a stable Neo-Hookean body: Newton's method, and conjugate gradients with products from the tangents
 /// of tets and patches, preconditioned by the nodes' blocks. Volumes are averaged over patches of tets.
@@ -19,15 +17,8 @@ namespace tags::body {
 struct tets { static constexpr const char* name = "body.tets"; };
 struct node_tet_ranges { static constexpr const char* name = "body.node_tet_ranges"; };
 struct node_tet_entries { static constexpr const char* name = "body.node_tet_entries"; };
-struct edge_tet_ranges {
-  static constexpr const char* name = "body.edge_tet_ranges";
-  struct begin;
-  struct end;
-};
-struct edge_tet_entries {
-  static constexpr const char* name = "body.edge_tet_entries";
-  struct code;
-};
+struct edge_tet_ranges { static constexpr const char* name = "body.edge_tet_ranges"; struct begin; struct end; };
+struct edge_tet_entries { static constexpr const char* name = "body.edge_tet_entries"; struct code; };
 struct volumes { static constexpr const char* name = "body.volumes"; };
 struct rest { static constexpr const char* name = "body.rest"; };
 struct positions { static constexpr const char* name = "body.positions"; };
@@ -182,15 +173,8 @@ struct nodes { static constexpr const char* name = "patches.nodes"; };
 struct parents { static constexpr const char* name = "patches.parents"; };
 struct patch_tet_ranges { static constexpr const char* name = "patches.patch_tet_ranges"; };
 struct patch_tet_entries { static constexpr const char* name = "patches.patch_tet_entries"; };
-struct edge_patch_ranges {
-  static constexpr const char* name = "patches.edge_patch_ranges";
-  struct begin;
-  struct end;
-};
-struct edge_patch_entries {
-  static constexpr const char* name = "patches.edge_patch_entries";
-  struct code;
-};
+struct edge_patch_ranges { static constexpr const char* name = "patches.edge_patch_ranges"; struct begin; struct end; };
+struct edge_patch_entries { static constexpr const char* name = "patches.edge_patch_entries"; struct code; };
 struct node_patch_ranges { static constexpr const char* name = "patches.node_patch_ranges"; };
 struct node_patch_entries { static constexpr const char* name = "patches.node_patch_entries"; };
 struct tangent { static constexpr const char* name = "patches.tangent"; };
@@ -354,84 +338,28 @@ struct Chunk {
 
 namespace tags::level {
 struct constraints { static constexpr const char* name = "level.constraints"; };
-struct edges {
-  static constexpr const char* name = "level.edges";
-  struct nodes;
-};
-struct node_edge_ranges {
-  static constexpr const char* name = "level.node_edge_ranges";
-  struct begin;
-  struct end;
-};
-struct node_edge_entries {
-  static constexpr const char* name = "level.node_edge_entries";
-  struct code;
-};
+struct edges { static constexpr const char* name = "level.edges"; struct nodes; };
+struct node_edge_ranges { static constexpr const char* name = "level.node_edge_ranges"; struct begin; struct end; };
+struct node_edge_entries { static constexpr const char* name = "level.node_edge_entries"; struct code; };
 struct node_stiffness { static constexpr const char* name = "level.node_stiffness"; };
-struct edge_stiffness {
-  static constexpr const char* name = "level.edge_stiffness";
-  struct E;
-};
-struct scales {
-  static constexpr const char* name = "level.scales";
-  struct inverse;
-};
-struct scaled_nodes {
-  static constexpr const char* name = "level.scaled_nodes";
-  struct K;
-};
-struct scaled_edges {
-  static constexpr const char* name = "level.scaled_edges";
-  struct E;
-};
+struct edge_stiffness { static constexpr const char* name = "level.edge_stiffness"; struct E; };
+struct scales { static constexpr const char* name = "level.scales"; struct inverse; };
+struct scaled_nodes { static constexpr const char* name = "level.scaled_nodes"; struct K; };
+struct scaled_edges { static constexpr const char* name = "level.scaled_edges"; struct E; };
 struct inverse { static constexpr const char* name = "level.inverse"; };
-struct smoother {
-  static constexpr const char* name = "level.smoother";
-  struct largest;
-  struct length;
-};
+struct smoother { static constexpr const char* name = "level.smoother"; struct largest; struct length; };
 struct residual { static constexpr const char* name = "level.residual"; };
 struct correction { static constexpr const char* name = "level.correction"; };
-struct direction {
-  static constexpr const char* name = "level.direction";
-  struct dx;
-};
-struct power {
-  static constexpr const char* name = "level.power";
-  struct dx;
-};
+struct direction { static constexpr const char* name = "level.direction"; struct dx; };
+struct power { static constexpr const char* name = "level.power"; struct dx; };
 struct parents { static constexpr const char* name = "level.parents"; };
-struct grid_parents {
-  static constexpr const char* name = "level.grid_parents";
-  struct nodes;
-  struct weights;
-};
-struct child_ranges {
-  static constexpr const char* name = "level.child_ranges";
-  struct begin;
-  struct end;
-};
-struct child_entries {
-  static constexpr const char* name = "level.child_entries";
-  struct code;
-};
-struct edge_term_ranges {
-  static constexpr const char* name = "level.edge_term_ranges";
-  struct begin;
-  struct end;
-};
-struct edge_term_entries {
-  static constexpr const char* name = "level.edge_term_entries";
-  struct code;
-};
-struct translations {
-  static constexpr const char* name = "level.translations";
-  struct T;
-};
-struct coarse_inverse {
-  static constexpr const char* name = "level.coarse_inverse";
-  struct G;
-};
+struct grid_parents { static constexpr const char* name = "level.grid_parents"; struct nodes; struct weights; };
+struct child_ranges { static constexpr const char* name = "level.child_ranges"; struct begin; struct end; };
+struct child_entries { static constexpr const char* name = "level.child_entries"; struct code; };
+struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; struct begin; struct end; };
+struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; struct code; };
+struct translations { static constexpr const char* name = "level.translations"; struct T; };
+struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; struct G; };
 }  // namespace tags::level
 
 /// How elasticity::Edge is stored in level.edges. Not stored:

@@ -92,13 +92,14 @@ void Printer::wrapped(const std::string& text) {
   wrapped(std::string(begin + 2 * step, ' ') + text.substr(text[end] == ' ' ? end + 1 : end));
 }
 
-void Printer::filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail) {
+void Printer::filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
+                     std::string_view between) {
   std::string whole(head);
-  for (std::size_t i = 0; i < items.size(); ++i) whole += (i == 0 ? "" : ", ") + items[i];
+  for (std::size_t i = 0; i < items.size(); ++i) whole += (i == 0 ? "" : std::string(between) + " ") + items[i];
   whole += tail;
   if (fits(whole.size())) return line(whole);
-  wrapped(std::string(head));
-  list("    ", items, tail);
+  wrapped(std::string(without_end(head)));
+  list("    ", items, tail, between);
 }
 
 void Printer::comment(std::string_view marker, std::string_view text) {

@@ -28,7 +28,8 @@ class Printer {
   void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
             std::string_view between = ",");
   /// The same, broken behind `head`, with as many items on each further line as fit.
-  void filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
+  void filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
+              std::string_view between = ",");
   /// A comment, each line after `marker` ("//" or "///"), its lines kept where they fit. One that does not is
   /// wrapped, and the rest of its paragraph with it.
   void comment(std::string_view marker, std::string_view text);

@@ -63,9 +63,8 @@ class Header {
  private:
   /// The scene, whose program may be one over these arrays: its declaration is not included.
   void scene_by_name() {
-    if (!scene_.scope.empty()) out_.line("namespace " + scene_.scope + " {");
-    out_.line("struct " + scene_.name + ";");
-    if (!scene_.scope.empty()) out_.line("}");
+    const std::string name = "struct " + scene_.name + ";";
+    out_.line(scene_.scope.empty() ? name : "namespace " + scene_.scope + " { " + name + " }");
     out_.line();
   }
 
@@ -85,16 +84,9 @@ class Header {
   void tags(const Group& group) {
     out_.line("namespace tags::" + group.variable + " {");
     for (const Array& array : group.arrays) {
-      const auto fields = pruned(group, array);
-      const std::string name = "static constexpr const char* name = \"" + group.full_name(array) + "\";";
-      if (fields.empty()) {
-        out_.line("struct " + array.name + " { " + name + " };");
-        continue;
-      }
-      out_.open("struct " + array.name + " {");
-      out_.line(name);
-      for (const FieldNeed* need : fields) out_.line("struct " + tag(array, need->field) + ";");
-      out_.close("};");
+      std::vector<std::string> members = {"static constexpr const char* name = \"" + group.full_name(array) + "\";"};
+      for (const FieldNeed* need : pruned(group, array)) members.push_back("struct " + tag(array, need->field) + ";");
+      out_.filled("struct " + array.name + " { ", members, " };", "");
     }
     out_.line("}  // namespace tags::" + group.variable);
     out_.line();

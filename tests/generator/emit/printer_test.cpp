@@ -31,6 +31,15 @@ TEST(Printer, fills_further_lines_with_what_does_not_fit_on_the_first) {
                                        ",\n    " + item + ");\n");
 }
 
+TEST(Printer, fills_lines_with_members_without_commas) {
+  const std::string member = "int " + std::string(70, 'x') + ";";
+  Printer out;
+  out.filled("struct a { ", {"int x;", "int y;"}, " };", "");
+  out.filled("struct b { ", {"int x;", "int y;", member, member}, " };", "");
+  EXPECT_EQ(std::move(out).text(),
+            "struct a { int x; int y; };\nstruct b {\n    int x; int y; " + member + "\n    " + member + " };\n");
+}
+
 TEST(Printer, fills_with_an_item_that_is_too_long_for_any_line) {
   Printer out;
   out.filled("call(", {std::string(130, 'x'), "y"}, ");");

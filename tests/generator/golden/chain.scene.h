@@ -6,25 +6,16 @@
 
 #include <m.physgen.h>
 
-namespace scenes {
-struct chain;
-}
+namespace scenes { struct chain; }
 
 /// Forces from positions.
 namespace scenes::chain_scene {
 
 namespace tags::body {
 struct x { static constexpr const char* name = "body.x"; };
-struct svd {
-  static constexpr const char* name = "body.svd";
-  struct U;
-};
+struct svd { static constexpr const char* name = "body.svd"; struct U; };
 struct f { static constexpr const char* name = "body.f"; };
-struct extra {
-  static constexpr const char* name = "body.extra";
-  struct a;
-  struct b;
-};
+struct extra { static constexpr const char* name = "body.extra"; struct a; struct b; };
 }  // namespace tags::body
 
 /// How m::Svd is stored in body.svd. Not stored:

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string_view>
@@ -200,6 +201,28 @@ struct ObjectTagPerSpace : ObjectTag<Object, Value_, Formats_, Record_, Accessor
   using Formats = Formats_<Space>;
 };
 
+namespace detail {
+
+/// is_sound_record() of the fields of a record. No template: there are as many objects as a schema has.
+[[nodiscard]] constexpr bool are_sound_fields(FieldInfo* begin, FieldInfo* end, int bytes, int alignment,
+                                              std::initializer_list<int> offsets) {
+  if (end - begin != static_cast<std::ptrdiff_t>(offsets.size())) return false;
+  for (std::size_t f = 0; f < offsets.size(); ++f) {
+    if (begin[f].offset != offsets.begin()[f]) return false;
+  }
+  std::sort(begin, end, [](const FieldInfo& a, const FieldInfo& b) { return a.offset < b.offset; });
+  int last = 0;  // byte of the fields so far
+  for (const FieldInfo* field = begin; field != end; ++field) {
+    const int size = element_bytes(field->type);
+    if (size == 0) continue;
+    if (field->offset < last || field->offset % size != 0 || alignment % size != 0) return false;
+    last = field->offset + field->count * size;
+  }
+  return last <= bytes;
+}
+
+}  // namespace detail
+
 /// Whether the record of `Object`, stored in `Formats`, has these bytes, this alignment and these offsets of `fields`,
 /// all its elements lie inside it and are aligned to their size, and no two of them share a byte. Generated code proves
 /// this when it is compiled. Offsets of a channel are multiplied by the pitch, so what holds for one record holds for
@@ -209,19 +232,7 @@ template <class Object, class Real, class Formats>
   using Record = typename Object::template Record<Real, Formats>;
   if (Record::bytes != bytes || Record::alignment != alignment) return false;
   auto fields = Object::template fields<Real, Formats>;
-  if (fields.size() != offsets.size()) return false;
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    if (fields[f].offset != offsets.begin()[f]) return false;
-  }
-  std::sort(fields.begin(), fields.end(), [](const FieldInfo& a, const FieldInfo& b) { return a.offset < b.offset; });
-  int end = 0;  // of the fields so far
-  for (const FieldInfo& field : fields) {
-    const int size = element_bytes(field.type);
-    if (size == 0) continue;
-    if (field.offset < end || field.offset % size != 0 || alignment % size != 0) return false;
-    end = field.offset + field.count * size;
-  }
-  return end <= bytes;
+  return detail::are_sound_fields(fields.data(), fields.data() + fields.size(), bytes, alignment, offsets);
 }
 
 /// A record as physgen planned it.
