@@ -19,7 +19,7 @@
 # physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them. The
 # library `name` links LIBRARIES, whose headers the scenes include. Programs are read with the folders and definitions of
 # LIBRARIES, which must not depend on the language (COMPILE_LANGUAGE), and with the options FLAGS of the compiler, such
-# as -march=x86-64-v3.
+# as -march=x86-64-v3. The runtime's headers are read once for all scenes of the target, by `physgen precompile`.
 # With DEVICE, physgen looks at what programs do on CUDA, too. It needs a toolkit: that of the project where it enables
 # CUDA. With EVERYTHING there is s.everything.h, too: the same arrays with all fields. With NO_FUSE the steps of programs
 # stay apart.
@@ -136,20 +136,18 @@ macro(_physgen_add_library function kind ending LIST)
   endif()
 endmacro()
 
-# Writes the headers of scenes, each by a command of its own: reading a program takes seconds.
+# Writes the headers of scenes, each by a command of its own: reading a program takes seconds. The runtime's headers are
+# read once for all.
 function(_physgen_scenes target scenes output_dir libraries flags device everything no_fuse)
   set(folders "$<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>")  # those of its libraries, too
   # Programs are compiled with them. physgen's own choose checks and CUDA, and no field.
   set(definitions "$<FILTER:$<TARGET_PROPERTY:${target},INTERFACE_COMPILE_DEFINITIONS>,EXCLUDE,^PHYSGEN_>")
-  set(definitions "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>")
+  set(definitions "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},$<SEMICOLON>-D>>")
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${target})
   set(stamps "")
   set(all_written "")
   set(options "")
   set(environment "")
-  if(everything)
-    list(APPEND options --everything)
-  endif()
   if(device)
     list(APPEND options --device)
     if(CMAKE_CUDA_COMPILER)  # bin/nvcc of its toolkit
@@ -160,12 +158,27 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
       endif()
     endif()
   endif()
+  set(flags_behind -- "-I$<JOIN:${folders},$<SEMICOLON>-I>" "${definitions}" ${flags})
+  # An input, because Make does not compare commands. Written where the definitions are known, and only if it changes.
+  file(GENERATE OUTPUT ${state}.$<CONFIG>.flags CONTENT "${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
+  add_custom_command(
+    OUTPUT ${state}.pch.stamp
+    BYPRODUCTS ${state}.pch
+    COMMAND ${environment} $<TARGET_FILE:physgen::physgen> precompile -o ${state}.pch ${options} --depfile ${state}.pch.d
+            --stamp ${state}.pch.stamp ${flags_behind}
+    DEPENDS ${state}.$<CONFIG>.flags physgen::physgen
+    DEPFILE ${state}.pch.d
+    COMMENT "Reading the runtime's headers for the scenes of ${target}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  list(APPEND options --precompiled ${state}.pch)
+  if(everything)
+    list(APPEND options --everything)
+  endif()
   if(no_fuse)
     list(APPEND options --no-fuse)
   endif()
   foreach(scene IN LISTS scenes)
     cmake_path(GET scene STEM LAST_ONLY name)
-    # An input, because Make does not compare commands. Written where the definitions are known, and only if it changes.
     set(inputs ${state}/${name}.$<CONFIG>.flags)
     file(GENERATE OUTPUT ${inputs}
       CONTENT "${scene}\n${output_dir}\n${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
@@ -180,8 +193,8 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
       OUTPUT ${state}/${name}.stamp
       BYPRODUCTS ${written}
       COMMAND ${environment} $<TARGET_FILE:physgen::physgen> scene ${scene} -o ${output_dir} ${options} --depfile ${state}/${name}.d --stamp ${state}/${name}.stamp
-              -- "-I$<JOIN:${folders},;-I>" "${definitions}" ${flags}
-      DEPENDS ${scene} ${inputs} physgen::physgen
+              ${flags_behind}
+      DEPENDS ${scene} ${inputs} ${state}.pch.stamp physgen::physgen
       DEPFILE ${state}/${name}.d
       COMMENT "Looking at what the scene ${name} needs"
       COMMAND_EXPAND_LISTS VERBATIM)

@@ -15,9 +15,9 @@ constexpr unsigned stack_bytes = 256U << 20;
 
 }  // namespace
 
-Files files_with(const std::string& path, llvm::StringRef text) {
+Files files_with(const std::vector<std::pair<std::string, llvm::StringRef>>& texts) {
   auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
-  memory->addFile(path, 0, llvm::MemoryBuffer::getMemBuffer(text));
+  for (const auto& [path, text] : texts) memory->addFile(path, 0, llvm::MemoryBuffer::getMemBuffer(text));
   auto files = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::getRealFileSystem());
   files->pushOverlay(memory);
   return files;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace clang {
@@ -17,8 +18,8 @@ namespace physgen::frontend {
 
 using Files = llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem>;
 
-/// The files of the system, and one more with this text, which must outlive them.
-[[nodiscard]] Files files_with(const std::string& path, llvm::StringRef text);
+/// The files of the system, and more with these paths and texts, which must outlive them.
+[[nodiscard]] Files files_with(const std::vector<std::pair<std::string, llvm::StringRef>>& texts);
 
 struct Compiled {
   bool good = false;                      ///< the action was done, without errors

@@ -127,7 +127,7 @@ Result parse(const std::string& path, const ParseOptions& options) {
   Result result;
   model::Schema schema;
   llvm::raw_string_ostream diagnostics(result.diagnostics);
-  const Files files = files_with(std::string(vocabulary_dir) + "/physgen/schema.h", vocabulary);
+  const Files files = files_with({{std::string(vocabulary_dir) + "/physgen/schema.h", vocabulary}});
   Action action(options, schema);
   Compiled compiled = compile(invocation(path, options), files, action, diagnostics, true);
   result.dependencies = std::move(compiled.dependencies);

@@ -4,10 +4,14 @@
 #include <clang/Basic/Version.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
+#include <clang/Frontend/FrontendActions.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
+#include <llvm/ADT/StringExtras.h>
+#include <llvm/Support/xxhash.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "frontend/compiler.h"
 
@@ -17,6 +21,21 @@
 
 namespace physgen::frontend {
 namespace {
+
+const std::string folder = "/physgen.program/";
+const char* const precompiled_text = "#include <physgen/probe.h>\n\n#include <cstdlib>\n";
+
+/// The name of the text of precompile(), which a precompiled header asks for again: it has another one with other
+/// flags, since Clang does not compare all of them.
+std::string precompiled_name(const std::vector<std::string>& flags) {
+  std::string text;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i] == precompiled_flag)
+      ++i;  // and not its file
+    else
+      text += flags[i] + '\n';
+  return "precompiled." + llvm::utohexstr(llvm::xxh3_64bits(text)) + ".h";
+}
 
 /// The headers that physgen is installed with; in its own tree, those beside its sources.
 std::string runtime_folder() {
@@ -40,13 +59,14 @@ std::vector<const char*> arguments(const std::string& path, const std::vector<st
   return result;
 }
 
-}  // namespace
-
-ProgramOutcome run(const Program& program, clang::FrontendAction& action) {
+/// @param change what is particular to this run
+ProgramOutcome run(const Program& program, clang::FrontendAction& action,
+                   const std::function<void(clang::CompilerInvocation&)>& change) {
   ProgramOutcome outcome;
   llvm::raw_string_ostream diagnostics(outcome.diagnostics);
-  const std::string path = "/physgen.program/" + program.name;
-  const Files files = files_with(path, program.text);
+  const std::string path = folder + program.name;
+  // A precompiled header's own text has to be there as well, unchanged.
+  const Files files = files_with({{folder + precompiled_name(program.flags), precompiled_text}, {path, program.text}});
   clang::CreateInvocationOptions how;
 #if CLANG_VERSION_MAJOR >= 21
   clang::DiagnosticOptions driver_options;
@@ -66,12 +86,30 @@ ProgramOutcome run(const Program& program, clang::FrontendAction& action) {
   diagnostics.flush();
   if (invocation == nullptr) return outcome;
   invocation->getFrontendOpts().DisableFree = false;
-  invocation->getFrontendOpts().SkipFunctionBodies = program.skip_bodies;
+  change(*invocation);
   Compiled compiled = compile(invocation, files, action, diagnostics, false);
   outcome.parsed = compiled.good;
   for (std::string& file : compiled.dependencies)
-    if (file != path) outcome.dependencies.push_back(std::move(file));
+    if (!file.starts_with(folder)) outcome.dependencies.push_back(std::move(file));
   return outcome;
+}
+
+}  // namespace
+
+ProgramOutcome run(const Program& program, clang::FrontendAction& action) {
+  return run(program, action, [&](clang::CompilerInvocation& invocation) {
+    invocation.getFrontendOpts().SkipFunctionBodies = program.skip_bodies;
+  });
+}
+
+ProgramOutcome precompile(const std::vector<std::string>& flags, const std::string& file) {
+  clang::GeneratePCHAction action;
+  return run({precompiled_name(flags), precompiled_text, flags}, action, [&](clang::CompilerInvocation& invocation) {
+    invocation.getFrontendOpts().ProgramAction = clang::frontend::GeneratePCH;
+    invocation.getFrontendOpts().OutputFile = file;
+    invocation.getLangOpts().CompilingPCH = true;
+    invocation.getLangOpts().PCHInstantiateTemplates = true;  // once, and not in each program
+  });
 }
 
 }  // namespace physgen::frontend

@@ -145,7 +145,8 @@ std::vector<std::string> flags_of(Side side, const std::vector<std::string>& fla
     result = {"-x", "cuda", "--cuda-device-only", "--cuda-gpu-arch=sm_90", "--cuda-path=" + cuda_folder()};
   for (const std::string& flag : flags) {
     const bool of_processor = flag.starts_with("-march=") || flag.starts_with("-mcpu=") || flag.starts_with("-mtune=");
-    if (side == Side::host || !of_processor) result.push_back(flag);
+    const bool is_precompiled = !result.empty() && result.back() == frontend::precompiled_flag;
+    if (side == Side::host || !of_processor) result.push_back(is_precompiled ? precompiled(flag, side) : flag);
   }
   return result;
 }
@@ -182,6 +183,26 @@ std::string text_of_time(const std::string& program, Side side, const Diagnostic
 }
 
 bool has_device_side() { return !cuda_folder().empty(); }
+
+std::string precompiled(const std::string& file, Side side) { return side == Side::host ? file : file + ".device"; }
+
+bool precompile(const std::string& file, const std::vector<std::string>& flags, const std::vector<Side>& sides,
+                Diagnostics& diagnostics) {
+  bool good = true;
+  for (const Side side : sides) {
+    const auto outcome = frontend::precompile(flags_of(side, flags), precompiled(file, side));
+    diagnostics.text += without_toolkit_warning(outcome.diagnostics);
+    diagnostics.dependencies.insert(diagnostics.dependencies.end(), outcome.dependencies.begin(),
+                                    outcome.dependencies.end());
+    good = good && outcome.parsed;
+  }
+  return good;
+}
+
+std::vector<std::string> with_precompiled(const std::string& file, std::vector<std::string> flags) {
+  flags.insert(flags.begin(), {frontend::precompiled_flag, file});
+  return flags;
+}
 
 std::optional<Usage> analyse(const std::string& name, const std::string& source, const std::vector<std::string>& flags,
                              Side side, Diagnostics& diagnostics, const Reader& reader, const Rest& rest) {

@@ -44,6 +44,19 @@ struct Diagnostics {
                                            const std::vector<std::string>& flags, Side side, Diagnostics& diagnostics,
                                            const Reader& reader = {}, const Rest& rest = {});
 
+/// The file of a side: `file` of the host's, `file`.device of the other.
+[[nodiscard]] std::string precompiled(const std::string& file, Side side);
+
+/// Writes a precompiled header of what units begin with, for each side. What is found in programs stays the same:
+/// functions of these headers are the libraries', and none of them names a probe of a unit.
+/// @param diagnostics gets the files that were read, and errors
+/// @return whether there are no errors
+[[nodiscard]] bool precompile(const std::string& file, const std::vector<std::string>& flags,
+                              const std::vector<Side>& sides, Diagnostics& diagnostics);
+
+/// The flags with which programs are read by means of precompile()'s files, on any of its sides.
+[[nodiscard]] std::vector<std::string> with_precompiled(const std::string& file, std::vector<std::string> flags);
+
 /// "stresses, host: analysed in 3.10 s, of which its headers took 2.40 s to parse (1.29 times as long)", with a line's
 /// end.
 [[nodiscard]] std::string text_of_time(const std::string& program, Side side, const Diagnostics& diagnostics);

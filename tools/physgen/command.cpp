@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -20,6 +21,7 @@
 #include "model/json.h"
 #include "model/model.h"
 #include "model/text.h"
+#include "precompile_command.h"
 #include "scene_command.h"
 #include "scenes/report.h"
 #include "usage_command.h"
@@ -40,6 +42,7 @@ struct Arguments {
   LayoutRequest layout;
   SceneRequest scene;
   UsageRequest usage;
+  PrecompileRequest precompile;
   std::string drawing;  // file of the JSON; empty: standard output
   bool json = false, svg = false, verbose = false, python = false;
 };
@@ -221,13 +224,7 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->add_flag("--python", arguments.python,
                  "Write the source of a Python module as well: x.h gives DIR/x.python.cpp")
       ->excludes(emitter);
-  auto* stamp = generate
-                    ->add_option("--stamp", arguments.stamp,
-                                 "File that is made after all outputs, with the time when reading began")
-                    ->type_name("FILE");
-  generate->add_option("--depfile", arguments.depfile, "File for the dependencies of the stamp, in the syntax of Make")
-      ->needs(stamp)
-      ->type_name("FILE");
+  describe_stamp(*generate, arguments.stamp, arguments.depfile);
   generate->add_flag("--verbose", arguments.verbose, "Say which files were written and which were unchanged");
   auto* check = add_command(app, "check", "Report the errors of schemas, write nothing", arguments);
   check->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
@@ -236,20 +233,20 @@ void describe(CLI::App& app, Arguments& arguments) {
   describe_layout(app, arguments);
   describe_scene(app, arguments.scene);
   describe_usage(app, arguments.usage);
+  describe_precompile(app, arguments.precompile);
 }
 
-bool names_command(const std::string& argument) {
-  for (const char* known : {"generate", "check", "model", "layout", "scene", "usage", "-h", "--help", "--version"})
-    if (argument == known) return true;
-  return false;
-}
+const std::set<std::string> commands = {"generate", "check",      "model", "layout", "scene",
+                                        "usage",    "precompile", "-h",    "--help", "--version"};
+const std::set<std::string> commands_with_flags = {"scene", "usage", "precompile"};  // of a compiler, behind "--"
 
 /// @throws UsageError if the first argument is neither an option nor a file: a command that is not there
 void require_command_or_schema(const std::string& first) {
   std::error_code ignored;
   if (first.starts_with('-') || std::filesystem::exists(first, ignored)) return;
-  throw UsageError("there is no command or schema '" + first +
-                   "'; commands are generate, check, model, layout, scene and usage, and a schema is a file");
+  throw UsageError(
+      "there is no command or schema '" + first +
+      "'; commands are generate, check, model, layout, scene, usage and precompile, and a schema is a file");
 }
 
 }  // namespace
@@ -259,15 +256,15 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   CLI::App app("physgen writes classes for arrays of physics objects from schemas, and of the fields that scenes need.",
                "physgen");
   describe(app, values);
-  if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {
+  if (!arguments.empty() && commands_with_flags.contains(arguments.front())) {
     const auto flags = std::find(arguments.begin(), arguments.end(), "--");
     if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
-    values.usage.flags = values.scene.flags;
+    values.usage.flags = values.precompile.flags = values.scene.flags;
     arguments.erase(flags, arguments.end());
   }
   const Streams streams{out, err};
   try {
-    if (!arguments.empty() && !names_command(arguments.front())) {
+    if (!arguments.empty() && !commands.contains(arguments.front())) {
       require_command_or_schema(arguments.front());
       arguments.insert(arguments.begin(), "generate");
     }
@@ -277,6 +274,7 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
     if (app.got_subcommand("check")) return check(values, streams);
     if (app.got_subcommand("scene")) return scene(values.scene, out, err);
     if (app.got_subcommand("usage")) return usage(values.usage, out, err);
+    if (app.got_subcommand("precompile")) return precompile(values.precompile, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);
     return print_model(values, streams);
   } catch (const CLI::ParseError& error) {

@@ -74,20 +74,6 @@ class Staged {
   std::vector<Move> moves_;
 };
 
-void make_folder_of(const fs::path& path) {
-  if (path.parent_path().empty()) return;
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error) fail("make the folder", path.parent_path(), error);
-}
-
-void set_time(const std::string& path, fs::file_time_type time) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return;  // /dev/null
-  fs::last_write_time(path, time, error);
-  if (error) fail("set the time of", path, error);
-}
-
 /// Makes an empty file, or empties one, and gives it a time.
 void touch(const std::string& path, fs::file_time_type time) {
   make_folder_of(path);
@@ -108,6 +94,20 @@ bool are_one_file(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+void make_folder_of(const fs::path& path) {
+  if (path.parent_path().empty()) return;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) fail("make the folder", path.parent_path(), error);
+}
+
+void set_time(const std::string& path, fs::file_time_type time) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return;  // /dev/null
+  fs::last_write_time(path, time, error);
+  if (error) fail("set the time of", path, error);
+}
 
 void require_readable(const std::string& path) {
   std::error_code error;

@@ -37,6 +37,12 @@ void require_apart(const std::vector<std::string>& outputs, const std::vector<st
 /// @throws FileError
 std::vector<bool> write_changed(const std::vector<File>& files);
 
+/// Makes the folder that a file is written to. @throws FileError
+void make_folder_of(const std::filesystem::path& path);
+
+/// Gives a file a time; not what is no file, such as /dev/null. @throws FileError
+void set_time(const std::string& path, std::filesystem::file_time_type time);
+
 /// The present time, as files have it.
 [[nodiscard]] std::filesystem::file_time_type now();
 

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "files.h"
+#include "precompile_command.h"
 #include "scenes/analysis.h"
 #include "scenes/digest.h"
 #include "scenes/groups.h"
@@ -34,8 +35,11 @@ class SceneCommand {
 
   int run() {
     require_readable(request_.file);
-    auto declaration = scenes::read(request_.file, request_.flags);
+    require_precompiled();
+    auto declaration = scenes::read(request_.file, flags_);
     err_ << declaration.diagnostics;
+    if (!request_.precompiled.empty() && declaration.diagnostics.find(request_.precompiled) != std::string::npos)
+      err_ << "note: write it again with 'physgen precompile', with the same flags behind '--'\n";
     depends_on(declaration.dependencies);
     if (!declaration.scene) return errors;
     const scenes::Scene& scene = *declaration.scene;
@@ -49,9 +53,7 @@ class SceneCommand {
       return done;
     }
     if (request_.device && !usage::has_device_side()) {
-      err_ << request_.file
-           << ": error: --device needs the headers of a CUDA toolkit, which is looked for by CUDA_HOME, "
-           << "CUDA_PATH and in /usr/local/cuda; without --device, only what the CPU does is looked at\n";
+      err_ << without_toolkit(request_.file);
       return errors;
     }
     const auto usage = analyse(scene, path);
@@ -71,10 +73,16 @@ class SceneCommand {
   }
 
  private:
+  void require_precompiled() const {
+    if (request_.precompiled.empty()) return;
+    require_readable(request_.precompiled);
+    if (request_.device) require_readable(usage::precompiled(request_.precompiled, usage::Side::device));
+  }
+
   std::optional<usage::Usage> analyse(const scenes::Scene& scene, const std::string& path) {
     std::vector<usage::Side> sides = {usage::Side::host};
     if (request_.device) sides.push_back(usage::Side::device);
-    auto analysis = scenes::analyse(scene, path, request_.flags, sides,
+    auto analysis = scenes::analyse(scene, path, flags_, sides,
                                     [&](clang::ASTContext& context, const std::vector<std::string>& folders) {
                                       program_ = scenes::read_program(context, scene, folders);
                                       records_ = scenes::read_records(context);
@@ -82,7 +90,7 @@ class SceneCommand {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       err_ << analysis.diagnostics[i].text;
       depends_on(analysis.diagnostics[i].dependencies);
-      times_ += usage::text_of_time(scene.name, sides[i], analysis.diagnostics[i]);
+      if (request_.precompiled.empty()) times_ += usage::text_of_time(scene.name, sides[i], analysis.diagnostics[i]);
     }
     return std::move(analysis.usage);
   }
@@ -112,6 +120,8 @@ class SceneCommand {
   const SceneRequest& request_;
   std::ostream& out_;
   std::ostream& err_;
+  std::vector<std::string> flags_ =
+      request_.precompiled.empty() ? request_.flags : usage::with_precompiled(request_.precompiled, request_.flags);
   Stamp stamp_{request_.stamp};
   std::vector<std::string> dependencies_;
   std::string times_;
@@ -151,13 +161,11 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
                   "Print the source that is analysed: the program over probes, which any compiler takes");
-  auto* stamp = scene
-                    ->add_option("--stamp", request.stamp,
-                                 "File that is made after all outputs, with the time when reading began")
-                    ->type_name("FILE");
-  scene->add_option("--depfile", request.depfile, "File for the dependencies of the stamp, in the syntax of Make")
-      ->needs(stamp)
+  scene
+      ->add_option("--precompiled", request.precompiled,
+                   "What 'physgen precompile' has written with the same flags: saves much of the time")
       ->type_name("FILE");
+  describe_stamp(*scene, request.stamp, request.depfile);
   scene->footer(
       "Arguments after '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3, by which the declaration and "
       "its "

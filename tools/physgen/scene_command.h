@@ -21,6 +21,7 @@ struct SceneRequest {
   bool no_fuse = false;            ///< join no steps
   bool print_model = false;        ///< what the declaration says, as JSON, and nothing else
   bool print_unit = false;         ///< the unit that is analysed, and nothing else
+  std::string precompiled;         ///< of `physgen precompile` with these flags; empty: none
   std::string depfile, stamp;      ///< as of `physgen generate`; empty: none
 };
 

@@ -1,7 +1,9 @@
 // `physgen scene` as a process: what it writes and leaves alone, what it says, and its exit status.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command_case.h"
 
@@ -111,6 +113,48 @@ TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
                            "writes it, and nothing reads it\n"),
             std::string::npos)
       << third.err;
+}
+
+TEST_F(SceneCommand, writes_the_same_from_a_precompiled_header_and_refuses_one_that_does_not_fit) {
+  const std::string flags = " -- -I" + (folder / "own") + " -I. -Igenerated " PHYSGEN_FLAGS;
+  folder.write("own/physgen/probe.h", "#pragma once\n#include_next <physgen/probe.h>\n");  // as a header that changes
+  const auto precompile = run("precompile -o build/x.pch --stamp stamp --depfile depfile" + flags);
+  ASSERT_EQ(precompile.status, 0) << precompile.err;
+  EXPECT_NE(text_of(folder / "depfile").find("/physgen/probe.h"), std::string::npos) << text_of(folder / "depfile");
+  ASSERT_EQ(run("scene scenes/particles.h -o out --stamp s --depfile one.d" + flags).status, 0);
+  const std::string fast = "scene scenes/particles.h -o fast --stamp s --depfile two.d --precompiled build/x.pch";
+  const auto outcome = run(fast + flags);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(files("fast"), files("out"));
+  for (const std::string& name : files("out")) EXPECT_EQ(text_of(folder / ("fast/" + name)), written(name)) << name;
+  const auto headers = [&](const std::string& name) {
+    std::ifstream in(folder / name);
+    std::set<std::string> words{std::istream_iterator<std::string>(in), {}};
+    words.erase("\\");
+    std::erase_if(words, [](const std::string& word) { return word.ends_with(".pch"); });
+    return words;
+  };
+  EXPECT_EQ(headers("two.d"), headers("one.d"));
+
+  folder.write("own/physgen/probe.h", "#pragma once\n#include_next <physgen/probe.h>\nstruct Another;\n");
+  const auto changed = run(fast + flags);
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_NE(changed.err.find("own/physgen/probe.h' has been modified since the precompiled header"), std::string::npos)
+      << changed.err;
+  const auto another = run(fast + flags + " -DNDEBUG=2");
+  EXPECT_EQ(another.status, 1);
+  EXPECT_NE(another.err.find("note: write it again with 'physgen precompile', with the same flags behind '--'"),
+            std::string::npos)
+      << another.err;
+  const auto missing = run("scene scenes/particles.h --precompiled none.pch" + flags);
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(missing.err, "physgen: error: cannot read 'none.pch': No such file or directory\n");
+  const auto over = run("precompile -o own/physgen/probe.h" + flags);
+  EXPECT_EQ(over.status, 2);
+  EXPECT_EQ(
+      over.err,
+      "physgen: error: cannot write 'own/physgen/probe.h': it is there, and is no precompiled header; name another "
+      "file\n");
 }
 
 TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {

@@ -96,7 +96,7 @@ TEXT
 #!/bin/sh
 printf '%s\n' "\$@" >>"$work/arguments"
 for word; do
-  case \$before in --stamp) : >"\$word" ;; --depfile) echo "$build/CMakeFiles/physgen/s/a.stamp:" >"\$word" ;; esac
+  case \$before in --stamp) : >"\$word" ;; --depfile) echo "\${word%.d}.stamp:" >"\$word" ;; esac
   before=\$word
 done
 TEXT
