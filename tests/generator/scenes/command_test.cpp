@@ -127,7 +127,7 @@ TEST_F(SceneCommand, writes_arrays_for_several_ranks_of_a_scene_that_says_what_i
 }
 
 TEST_F(SceneCommand, writes_the_same_from_a_precompiled_header_and_refuses_one_that_does_not_fit) {
-  const std::string flags = " -- -Iown -I. -Igenerated " PHYSGEN_FLAGS;
+  const std::string flags = " -- -I" + (folder / "own") + " -I. -Igenerated " PHYSGEN_FLAGS;
   folder.write("own/physgen/probe.h", "#pragma once\n#include_next <physgen/probe.h>\n");  // as a header that changes
   const auto precompile = run("precompile -o build/x.pch --stamp stamp --depfile depfile" + flags);
   ASSERT_EQ(precompile.status, 0) << precompile.err;
