@@ -24,7 +24,7 @@ ViewersFile::ViewersFile(const Options& options, const Scene& scene, int steps_d
     surface_ = surface_of(level_.mesh);
     groups = groups_of(*surface_, scene.groups);
   } else {
-    const fem::TetMesh own = fem::make_tet_mesh(level_.mesh.nodes(), drawn.own_tets);
+    const fem::TetMesh own = fem::make_tet_mesh(level_.mesh.nodes, drawn.own_tets);
     const fem::Renumbering back{fem::new_numbers(numbers_.node_order), fem::new_numbers(numbers_.tet_order)};
     std::vector<fem::MeshGroup> own_groups;
     for (const fem::MeshGroup& group : scene.groups) own_groups.push_back(fem::renumbered(group, own, back));
