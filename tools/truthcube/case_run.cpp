@@ -49,6 +49,7 @@ class CaseSteps {
         solver_(solver),
         record_(record),
         locations_(std::move(locations)),
+        axes_(axes_of(scene, options.given_case)),
         terminal_(terminal) {
     if (options.out.empty()) return;
     write_order_of(options.out, scene);
@@ -84,7 +85,7 @@ class CaseSteps {
  private:
   void finish(double load, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton) {
     const std::vector<Point> positions = solver_.positions();
-    CaseState state = case_state_of(scene_, options_.given_case, locations_, load, positions, solver_.forces());
+    CaseState state = case_state_of(scene_, options_.given_case, locations_, axes_, load, positions, solver_.forces());
     terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
                    result.iterations);
     for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
@@ -154,6 +155,7 @@ class CaseSteps {
   fem::EquilibriumSolver& solver_;
   RunRecord& record_;
   std::vector<fem::Location> locations_;
+  std::vector<std::optional<Point>> axes_;
   const Terminal& terminal_;
   std::optional<ViewersFile> viewers_;
   std::vector<CaseState> states_;

@@ -61,8 +61,19 @@ std::vector<Point> external_forces(const fem::Loading& loading, const std::vecto
   return forces;
 }
 
-CaseState case_state_of(const Scene& scene, const Case& given, const std::vector<fem::Location>& locations, double load,
-                        const std::vector<Point>& positions, const std::vector<Point>& forces) {
+std::vector<std::optional<Point>> axes_of(const Scene& scene, const Case& given) {
+  std::vector<std::optional<Point>> axes;
+  for (const fem::Support& support : given.load_case.supports) {
+    axes.emplace_back();
+    if (!support.axis) continue;
+    axes.back() = fem::axis_of(support, scene.levels.front(), fem::group_named(scene.groups, support.group));
+  }
+  return axes;
+}
+
+CaseState case_state_of(const Scene& scene, const Case& given, const std::vector<fem::Location>& locations,
+                        const std::vector<std::optional<Point>>& axes, double load, const std::vector<Point>& positions,
+                        const std::vector<Point>& forces) {
   const fem::MeshLevel& level = scene.levels.front();
   std::vector<Point> moved(positions.size());
   for (std::size_t n = 0; n < moved.size(); ++n) {
@@ -76,10 +87,9 @@ CaseState case_state_of(const Scene& scene, const Case& given, const std::vector
   state.all = state_of("", nodes, scene, external, moved, forces);
   for (const fem::MeshGroup& group : scene.groups) {
     GroupState& of_group = state.groups.emplace_back(state_of(group.name, group.nodes, scene, external, moved, forces));
-    for (const fem::Support& support : given.load_case.supports) {
-      if (support.group != group.name || !support.axis) continue;
-      const Point axis = fem::axis_of(support, level, group);
-      of_group.axes.push_back({axis, fem::dot(axis, of_group.reaction)});
+    for (std::size_t s = 0; s < axes.size(); ++s) {
+      if (!axes[s] || given.load_case.supports[s].group != group.name) continue;
+      of_group.axes.push_back({*axes[s], fem::dot(*axes[s], of_group.reaction)});
     }
   }
   const auto add = [&](const char* of, const auto& measure) {

@@ -4,6 +4,7 @@
 #include <fem/mesh/locate.h>
 #include <fem/solver/quasistatic.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,13 @@ namespace physgen::truthcube {
 [[nodiscard]] std::vector<fem::Point> external_forces(const fem::Loading& loading,
                                                       const std::vector<fem::Point>& positions);
 
-/// @param forces of the solver
+/// Of each support of a case, the direction of its axis; none where it has no axis.
+[[nodiscard]] std::vector<std::optional<fem::Point>> axes_of(const Scene& scene, const Case& given);
+
+/// @param axes of the supports @param forces of the solver
 [[nodiscard]] CaseState case_state_of(const Scene& scene, const Case& given,
-                                      const std::vector<fem::Location>& locations, double load,
+                                      const std::vector<fem::Location>& locations,
+                                      const std::vector<std::optional<fem::Point>>& axes, double load,
                                       const std::vector<fem::Point>& positions, const std::vector<fem::Point>& forces);
 
 /// Lines for the terminal: the largest displacement, the reactions of supports, and the probes.

@@ -128,8 +128,9 @@ Options parse(const std::vector<std::string>& arguments) {
              "cells the larger G is, and solves take longer")
           ->type_name("G");
   app.add_option("--mesh", options.mesh,
-                 "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
-                 "plates hold its lowest and highest nodes along z")
+                 "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1; physgen-convert-mesh makes one of .inp, "
+                 ".vtu and others), in metres, in place of the cube; its plates hold its lowest and highest nodes "
+                 "along z")
       ->excludes(cells)
       ->type_name("FILE");
   app.add_option("--case", options.case_file,
@@ -142,8 +143,9 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("N");
   const auto* order = add_choice(
       app, "--order", options.order, orders, "order",
-      "order in which the solver has nodes and tets of the mesh: that of its file, or by parts that METIS finds, which "
-      "is faster where the file's numbers jump; files and messages keep the mesh's numbers");
+      "in which order the solver stores nodes and tets of the mesh: by their numbers in the file (mesh), or in 64 "
+      "compact parts found by METIS (metis), faster where neighbours have numbers far apart; files keep the file's "
+      "numbers");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
       "the problem that is solved: equilibria by Newton's method with any of the choices below (everything); the same "
@@ -224,7 +226,10 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(preconditioner)
       ->excludes(product)
       ->excludes(stepping);
-  app.add_option("--out", options.out, "folder for cube.vtkhdf, cube.xdmf, beads.csv, run.json and checkpoint.h5")
+  app.add_option(
+         "--out", options.out,
+         "folder for cube.vtkhdf, cube.xdmf, run.json and checkpoint.h5; beads.csv or, of a case, groups.csv and "
+         "probes.csv; and order.h5 with --order metis")
       ->type_name("DIR");
   const auto* output = add_choice(
       app, "--output", options.output, outputs, "output",

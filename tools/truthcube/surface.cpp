@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace physgen::truthcube {
 
@@ -71,7 +72,9 @@ std::vector<CellGroup> groups_of(const Surface& surface, std::span<const fem::Me
   for (const fem::MeshGroup& group : groups) {
     if (group.faces.empty() && group.tets.empty()) continue;
     CellGroup cells{"group_" + group.name, std::vector<std::uint8_t>(surface.triangles.size(), 0)};
-    std::ranges::replace_if(cells.name, [](char c) { return c == '/' || c == '.'; }, '_');
+    std::ranges::replace_if(
+        cells.name, [](char c) { return std::string_view("/.|:").find(c) != std::string_view::npos; },
+        '_');  // | and : part what XDMF names
     const std::string name = cells.name;
     for (int k = 2; std::ranges::find(result, cells.name, &CellGroup::name) != result.end(); ++k) {
       cells.name = name + "_" + std::to_string(k);

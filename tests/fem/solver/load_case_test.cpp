@@ -175,7 +175,8 @@ TEST(LoadCases, of_a_part_that_nothing_holds_name_the_part) {
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
-              "physgen: nothing keeps the part of node 4 from moving as a rigid body: rotation about (0.5774, 0.5774, "
+              "physgen: nothing keeps the part with the node at (5, 0, 0) m from moving as a rigid body: rotation "
+              "about (0.5774, 0.5774, "
               "0.5774) through (3.333, -1.667, -1.667) m; add supports that prescribe components against that");
   }
 }
@@ -186,7 +187,7 @@ TEST(LoadCases, that_contradict_themselves_or_the_mesh_are_refused_with_group_va
   wrong.supports.push_back({"x0", {.x = 0.01}});
   EXPECT_EQ(
       refusal(wrong),
-      "groups 'z0' and 'x0' share the node at (0, 0, 0) m at rest and prescribe other displacements along x there, "
+      "groups 'z0' and 'x0' share the node at (0, 0, 0) m at rest and prescribe different displacements along x there, "
       "0 and 0.01 m; leave that component free in one of them");
   wrong = held;
   wrong.tractions.push_back({"tip", {1, 0, 0}});

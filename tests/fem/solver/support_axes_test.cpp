@@ -184,7 +184,7 @@ TEST(SupportAxes, that_cannot_be_are_refused_with_their_groups) {
   expect_refused({base, along_normal("tip")}, "group 'tip' has no faces, and the axis \"normal\" is theirs");
   expect_refused({base, along_normal("corner")}, "the faces of group 'corner' are not flat");
   expect_refused({base, along("x1", {1, 1, 0}, 0.1), along("x1", {2, 2, 0}, 0.2)},
-                 "prescribe other displacements along (0.707107, 0.707107, 0) there");
+                 "prescribe different displacements along (0.707107, 0.707107, 0) there");
   expect_refused({base, along("x1", {1, 1, 0}), along("y1", {1, 0, 0})},
                  "of group 'x1', (0.707107, 0.707107, 0), and of group 'y1', (1, 0, 0), are at 45 degrees");
   expect_refused({along("z0", {0, 1, 1})}, "rotation about (0, 0.7071, 0.7071)");

@@ -161,7 +161,7 @@ class OrdersByPartsTest(OrderTest):
         (self.folder / "case.json").write_text(json.dumps(case))
         for order in ("mesh", "metis"):
             said = self.truthcube("--case", "case.json", "--order", order, status=1)[1]
-            self.assertRegex(said, r"share the node at \(0[.0-9]*, 0[.0-9]*, 0\) m at rest and prescribe other displacements")
+            self.assertRegex(said, r"share the node at \(0[.0-9]*, 0[.0-9]*, 0\) m at rest and prescribe different displacements")
 
     def test_a_restart_has_the_bits_of_a_run_that_was_not_stopped(self):
         for flags in (("--refine", "1"), ("--volume", "tets")):

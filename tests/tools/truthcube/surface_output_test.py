@@ -76,6 +76,16 @@ def the_surface_has_the_values_of_the_body_and_the_groups_of_the_case():
             assert (part["CellData/group_near"][:] + part["CellData/group_far"][:] == 1).all()
 
 
+def names_of_groups_hold_nothing_that_parts_names():
+    box = Box(2)
+    box.write(truthcube.folder / "m.msh")
+    text = (truthcube.folder / "m.msh").read_text(encoding="ascii")
+    (truthcube.folder / "m.msh").write_text(text.replace('"y0"', '"y/0.a|b:c"'), encoding="ascii")
+    truthcube.solve(CASE | {"output": "surface"}, out="named")
+    with h5py.File(truthcube.folder / "named/cube.vtkhdf") as file:
+        assert "group_y_0_a_b_c" in file["VTKHDF/CellData"], list(file["VTKHDF/CellData"])
+
+
 def the_cube_is_written_as_its_surface_and_continued():
     common = ["--cells", 4, "--threads", 1]
     truthcube.run(*common, "--compress", 0.05, 0.1, "--out", "body")
@@ -99,5 +109,5 @@ def outputs_that_contradict_or_do_not_exist_are_refused():
     assert '--output body: the case case.json says "output": "surface"; remove one of them' in said, said
 
 
-run_rule((the_surface_has_the_values_of_the_body_and_the_groups_of_the_case, the_cube_is_written_as_its_surface_and_continued,
-          outputs_that_contradict_or_do_not_exist_are_refused), sys.argv[1])
+run_rule((the_surface_has_the_values_of_the_body_and_the_groups_of_the_case, names_of_groups_hold_nothing_that_parts_names,
+          the_cube_is_written_as_its_surface_and_continued, outputs_that_contradict_or_do_not_exist_are_refused), sys.argv[1])

@@ -1,4 +1,5 @@
 // The XDMF file beside a VTKHDF file: each part that it names of each dataset is that of its step, also after restarts.
+#include <fem/mesh/boundary.h>
 #include <truthcube/output/vtkhdf.h>
 
 #include <sstream>
@@ -112,6 +113,29 @@ TEST_F(Xdmf, has_the_steps_alone_that_a_restart_keeps) {
   std::size_t files = 0;  // the copy that took the place of a file had none of its own
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path.parent_path())) ++files;
   EXPECT_EQ(files, 1U);
+}
+
+TEST_F(Xdmf, of_another_program_is_neither_replaced_nor_removed) {
+  const std::string others = "<Xdmf><DataItem Format=\"HDF\">mycube.vtkhdf:/VTKHDF/Points</DataItem></Xdmf>\n";
+  const auto refused = [&](const auto& write) {
+    std::ofstream(xdmf) << others;
+    try {
+      write();
+      ADD_FAILURE() << "replaced";
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()), "physgen: " + xdmf.string() +
+                                               ": names no values of cube.vtkhdf, so another program wrote it, and it "
+                                               "is not replaced; move it away, or write to another folder");
+    }
+    EXPECT_EQ(read_text(xdmf), others);
+  };
+  refused([&] { static_cast<void>(scene.create(path, 0)); });
+  EXPECT_FALSE(std::filesystem::exists(path));
+  std::filesystem::remove(xdmf);
+  static_cast<void>(scene.create(path, 2));
+  const std::string before = read_text(path);
+  for (const int steps : {0, 1, 2}) refused([&] { static_cast<void>(scene.append_to(path, steps)); });
+  EXPECT_EQ(read_text(path), before);
 }
 
 TEST_F(Xdmf, surfaces_are_triangles_whose_groups_are_those_of_all_steps) {

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace physgen::fem {
@@ -130,6 +131,15 @@ void leave_out(const std::vector<std::uint8_t>& is_used, const std::vector<std::
   });
 }
 
+/// A word of a command, in quotes where a shell needs them.
+std::string typed(const std::filesystem::path& path) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
+  if (path.string().find_first_not_of(plain) == std::string::npos) return path.string();
+  std::string word = "'";
+  for (const char c : path.string()) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 }  // namespace
 
 ReadMesh read_gmsh(const std::filesystem::path& path) {
@@ -139,9 +149,11 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
   if (!bytes.is_open()) input.refuse("cannot be read; check its name and your rights");
   constexpr std::array known{"$MeshFormat", "$NOD", "$Comments", "$PhysicalNames"};
   constexpr std::array others{".inp", ".vtu", ".vtk", ".xdmf", ".med", ".mesh", ".bdf", ".nas", ".exo", ".e"};
-  if (const auto end = path.extension(); std::ranges::find(others, end) != others.end()) {
-    input.refuse("is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh " + path.string() +
-                 " " + std::filesystem::path(path).replace_extension(".msh").string() +
+  std::string end = path.extension().string();
+  for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (std::ranges::find(others, end) != others.end()) {
+    input.refuse("is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh " + typed(path) + " " +
+                 typed(std::filesystem::path(path).replace_extension(".msh")) +
                  " (in a checkout tools/fem/mesh/convert.py)");
   }
   if (path.extension() != ".msh" || std::ranges::find(known, GmshInput(input).line()) == known.end()) {

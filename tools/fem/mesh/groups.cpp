@@ -4,6 +4,8 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 namespace physgen::fem {
@@ -31,6 +33,14 @@ Index middle(const TetMesh& mesh, const MeshGroup& group, Index a, Index b) {
                 " of it are the ends of no edge of a tet; mesh its lines and surfaces together with the volume");
   }
   return mesh.nodes + static_cast<Index>(found - mesh.edges.begin());
+}
+
+/// "(0.01, 0, 0.1)" [m]
+std::string place(std::span<const Point> rest, Index node) {
+  const Point& x = rest[static_cast<std::size_t>(node)];
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", x[0], x[1], x[2]);
+  return text.data();
 }
 
 }  // namespace
@@ -98,16 +108,16 @@ std::vector<MeshGroup> refine_groups(const TetMesh& mesh, std::span<const MeshGr
   return finer;
 }
 
-std::vector<Face> outward_faces(const TetMesh& mesh, const MeshGroup& group) {
+std::vector<Face> outward_faces(const TetMesh& mesh, std::span<const Point> rest, const MeshGroup& group) {
   const std::vector<Face> surface = boundary_faces(mesh);
   std::vector<Face> faces;
   for (const Face& face : group.faces) {
     const Face nodes = sorted(face);
     const auto found = std::ranges::lower_bound(surface, nodes, {}, sorted);
     if (found == surface.end() || sorted(*found) != nodes) {
-      throw Error("group '" + group.name + "': its face of nodes " + std::to_string(face[0]) + ", " +
-                  std::to_string(face[1]) + ", " + std::to_string(face[2]) +
-                  " is not of the surface of the mesh, so that a pressure has no side to act on; give a group of "
+      throw Error("group '" + group.name + "': its face with corners at " + place(rest, face[0]) + ", " +
+                  place(rest, face[1]) + " and " + place(rest, face[2]) +
+                  " m is not of the surface of the mesh, so that a pressure has no side to act on; give a group of "
                   "faces of the surface");
     }
     faces.push_back(*found);

@@ -34,7 +34,8 @@ void complete(MeshGroup& group, std::span<const std::array<Index, 4>> tets);
 [[nodiscard]] std::vector<MeshGroup> refine_groups(const TetMesh& mesh, std::span<const MeshGroup> groups);
 
 /// The faces with the normals of the surface of the mesh: outward, where tets have positive volume.
-/// @throw Error naming the group when a face of it belongs to two tets or to none
-[[nodiscard]] std::vector<Face> outward_faces(const TetMesh& mesh, const MeshGroup& group);
+/// @param rest where nodes are, for the message
+/// @throw Error naming the group, and where the face is, when a face of it belongs to two tets or to none
+[[nodiscard]] std::vector<Face> outward_faces(const TetMesh& mesh, std::span<const Point> rest, const MeshGroup& group);
 
 }  // namespace physgen::fem

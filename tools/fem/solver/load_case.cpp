@@ -135,7 +135,7 @@ void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup
             const Point& x = level.rest[at];
             throw Error("groups '" + other->group + "' and '" + support.group + "' share the node at (" +
                         number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) +
-                        ") m at rest and prescribe other displacements along " + "xyz"[k] + " there, " +
+                        ") m at rest and prescribe different displacements along " + "xyz"[k] + " there, " +
                         number_text(other_value) + " and " + number_text(value) + " m" +
                         (other_curve == curve ? "" : ", along other curves") +
                         "; leave that component free in one of them");
@@ -162,7 +162,7 @@ void hold_along_axes(const LoadCase& load_case, std::vector<MeshLevel>& levels,
     for (const Support& support : load_case.supports) {
       held.emplace_back(nodes_of(groups[l], support.group, "a support").nodes);
     }
-    const std::vector<NodeComponents> nodes = components_of_nodes(supports, held, level.rest.size());
+    const std::vector<NodeComponents> nodes = components_of_nodes(supports, held, level.rest);
     level.axes = l == 0 ? common_axes(nodes, supports) : levels.front().axes;
     level.fixed.resize(nodes.size());
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -240,7 +240,7 @@ LoadHistory make_load_history(const LoadCase& load_case, std::vector<MeshLevel>&
   for (const GroupPressure& load : load_case.pressures) {
     const MeshGroup& group = faces_of(groups.front(), load.group, "a pressure");
     require_finite("the pressure on group '" + load.group + "'", {&load.pressure, 1});
-    std::vector<Face> faces = outward_faces(finest.mesh, group);
+    std::vector<Face> faces = outward_faces(finest.mesh, finest.rest, group);
     Loading& part = parts.of(load.curve);
     if (load.follows) {
       part.pressures.push_back({std::move(faces), load.pressure});

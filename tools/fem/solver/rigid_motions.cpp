@@ -175,9 +175,12 @@ void require_held(const TetMesh& mesh, std::span<const Point> rest, std::span<co
     if (motions.empty()) continue;
     std::string list;
     for (const std::string& motion : motions) list += (list.empty() ? "" : ", ") + motion;
-    throw Error("nothing keeps the " + std::string(parts.size() > 1 ? "part of node " : "body") +
-                (parts.size() > 1 ? std::to_string(nodes.front()) : "") + " from moving as a rigid body: " + list +
-                "; add supports that prescribe components against that");
+    throw Error("nothing keeps the " +
+                std::string(parts.size() > 1
+                                ? "part with the node at " +
+                                      text_of(Vector3d(rest[static_cast<std::size_t>(nodes.front())].data()), 0) + " m"
+                                : "body") +
+                " from moving as a rigid body: " + list + "; add supports that prescribe components against that");
   }
 }
 

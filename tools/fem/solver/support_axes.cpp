@@ -46,7 +46,7 @@ Point normal_of(const MeshLevel& level, const MeshGroup& group) {
     throw Error("group '" + group.name + "' has no faces, and the axis \"normal\" is theirs; take a group of a " +
                 "surface, or write the axis as three numbers");
   }
-  const std::vector<Face> faces = outward_faces(level.mesh, group);
+  const std::vector<Face> faces = outward_faces(level.mesh, level.rest, group);
   const auto normal = [&](const Face& face) {
     const auto x = [&](std::size_t k) -> const Point& { return level.rest[static_cast<std::size_t>(face[k])]; };
     return cross(difference(x(1), x(0)), difference(x(2), x(0)));
@@ -76,7 +76,7 @@ Point normal_of(const MeshLevel& level, const MeshGroup& group) {
 
 /// Whether what is prescribed in a direction that others span is what follows from them.
 void require_agreement(const NodeComponents& node, const NodeComponents::Component& more,
-                       std::span<const SupportComponents> supports, std::size_t number) {
+                       std::span<const SupportComponents> supports, const Point& rest) {
   const auto curve = [&](const NodeComponents::Component& c) { return supports[c.support].curve; };
   const auto all = node.all();
   const NodeComponents::Component* other = &all.front();
@@ -93,11 +93,17 @@ void require_agreement(const NodeComponents& node, const NodeComponents::Compone
     }
     return std::abs(follows - (curve(more) == of ? more.prescribed.displacement : 0)) > same * largest;
   };
+  double follows = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    follows += dot(more.prescribed.direction, node.dual(i)) * all[i].prescribed.displacement;
+  }
   const bool any = differs(curve(more)) || std::ranges::any_of(all, [&](const auto& c) { return differs(curve(c)); });
   if (!any) return;
-  throw Error("groups '" + supports[other->support].group + "' and '" + supports[more.support].group + "' share node " +
-              std::to_string(number) + " and prescribe other displacements along " +
-              text_of(more.prescribed.direction) + " there; leave that component free in one of them");
+  throw Error(
+      "groups '" + supports[other->support].group + "' and '" + supports[more.support].group + "' share the node at " +
+      text_of(rest) + " m at rest and prescribe different displacements along " + text_of(more.prescribed.direction) +
+      " there, " + number_text(follows) + " and " + number_text(more.prescribed.displacement) + " m" +
+      (curve(*other) == curve(more) ? "" : ", along other curves") + "; leave that component free in one of them");
 }
 
 }  // namespace
@@ -153,14 +159,15 @@ Point NodeComponents::dual(std::size_t i) const {
 }
 
 std::vector<NodeComponents> components_of_nodes(std::span<const SupportComponents> supports,
-                                                std::span<const std::span<const Index>> nodes, std::size_t count) {
-  std::vector<NodeComponents> result(count);
+                                                std::span<const std::span<const Index>> nodes,
+                                                std::span<const Point> rest) {
+  std::vector<NodeComponents> result(rest.size());
   for (std::size_t s = 0; s < supports.size(); ++s) {
     for (const Index n : nodes[s]) {
       NodeComponents& node = result[static_cast<std::size_t>(n)];
       for (const PrescribedComponent& component : supports[s].components) {
         const NodeComponents::Component more{component, s};
-        if (!node.take(more)) require_agreement(node, more, supports, static_cast<std::size_t>(n));
+        if (!node.take(more)) require_agreement(node, more, supports, rest[static_cast<std::size_t>(n)]);
       }
     }
   }

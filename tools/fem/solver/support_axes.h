@@ -61,11 +61,11 @@ class NodeComponents {
   std::size_t count_ = 0;
 };
 
-/// @param nodes that each support holds @param count of the level's nodes
-/// @throw Error naming two groups and a node that they prescribe differently
+/// @param nodes that each support holds @param rest of the level's nodes
+/// @throw Error naming two groups, and the place of a node that they prescribe differently
 [[nodiscard]] std::vector<NodeComponents> components_of_nodes(std::span<const SupportComponents> supports,
                                                               std::span<const std::span<const Index>> nodes,
-                                                              std::size_t count);
+                                                              std::span<const Point> rest);
 
 /// Perpendicular axes such that at each node whole components along them are prescribed; none where x, y, z are such.
 /// @throw Error naming two groups whose directions are neither parallel nor perpendicular

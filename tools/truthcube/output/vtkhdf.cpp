@@ -49,8 +49,8 @@ hsize_t chunk_rows(std::uint64_t rows, int components) {
 hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
 
 void require_usable(const std::string& name, const std::function<Error(const std::string&)>& error) {
-  if (name.empty() || name.find_first_of("/.") != std::string::npos) {
-    throw error("has no usable name: a name is not empty and has no '/' and no '.'");
+  if (name.empty() || name.find_first_of("/.|:") != std::string::npos) {  // | and : part what the XDMF file names
+    throw error("has no usable name: a name is not empty and has no '/', '.', '|' and ':'");
   }
 }
 
@@ -66,6 +66,7 @@ int count_steps(const h5::File& file) {
 
 VtkHdfWriter::VtkHdfWriter(Unopened /*as it is*/, std::filesystem::path path, const ViewedMesh& mesh)
     : path_(std::move(path)), corners_of_cell_(mesh.corners_of_cell) {
+  require_none_of_others(xdmf_of(path_), path_);
   if (mesh.points.empty() || mesh.cells() == 0) {
     throw Error(path_.string() + ": a mesh of " + in_words(mesh) + " cannot be written; there must be some");
   }

@@ -21,7 +21,7 @@ namespace physgen::truthcube {
 
 /// Values of one field at the points, or in the cells, of one step.
 struct Field {
-  std::string name;                ///< shown by viewers; neither empty nor with '/' or '.'
+  std::string name;                ///< shown by viewers; neither empty nor with '/', '.', '|' or ':'
   int components;                  ///< 1 or more
   std::span<const double> values;  ///< `components` for each point or cell; stored in single precision
 };
@@ -33,8 +33,8 @@ struct Field {
 class VtkHdfWriter {
  public:
   /// Creates a file with a mesh and no steps, in the place of an old one.
-  /// @throws Error when the mesh has no points or no cells, a group has another number of cells or no usable name, the
-  /// file cannot be created, or the disk is too full
+  /// @throws Error when the mesh has no points or no cells, a group has another number of cells or no usable name, an
+  /// XDMF file of that name is not one of this file, the file cannot be created, or the disk is too full
   VtkHdfWriter(std::filesystem::path path, const ViewedMesh& mesh);
 
   /// Continues a file after its first `steps` steps. Where it has more, a copy without them takes its place, for which

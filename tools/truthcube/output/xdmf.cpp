@@ -1,6 +1,9 @@
 #include "xdmf.h"
 
+#include <physgen/error.h>
+
 #include <cstdio>
+#include <fstream>
 
 namespace physgen::truthcube {
 
@@ -37,11 +40,25 @@ std::string rows_of(std::uint64_t rows, int components) {
   return std::to_string(rows) + (components == 1 ? "" : " " + std::to_string(components));
 }
 
+/// What stands before the name of a dataset.
+std::string prefix_of(const std::filesystem::path& file) { return escaped(file.filename().string()) + ":/VTKHDF/"; }
+
 }  // namespace
+
+void require_none_of_others(const std::filesystem::path& xdmf, const std::filesystem::path& file) {
+  if (!std::filesystem::exists(xdmf)) return;
+  const std::string name = prefix_of(file);
+  std::string begin(4096 + name.size(), ' ');  // the first dataset is named at once
+  std::ifstream in(xdmf, std::ios::binary);
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin.find(">" + name) != std::string::npos) return;
+  throw Error(xdmf.string() + ": names no values of " + file.filename().string() +
+              ", so another program wrote it, and it is not replaced; move it away, or write to another folder");
+}
 
 std::string xdmf_text(const std::filesystem::path& file, const XdmfMesh& mesh, std::span<const XdmfArray> arrays,
                       std::span<const double> times) {
-  const std::string dataset = escaped(file.filename().string()) + ":/VTKHDF/";
+  const std::string dataset = prefix_of(file);
   const auto item = [](const char* type, int bytes, const std::string& dimensions, const std::string& values) {
     return "<DataItem Format=\"HDF\" NumberType=\"" + std::string(type) + "\" Precision=\"" + std::to_string(bytes) +
            "\" Dimensions=\"" + dimensions + "\">" + values + "</DataItem>";

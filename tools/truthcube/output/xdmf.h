@@ -30,4 +30,7 @@ struct XdmfArray {
 [[nodiscard]] std::string xdmf_text(const std::filesystem::path& file, const XdmfMesh& mesh,
                                     std::span<const XdmfArray> arrays, std::span<const double> times);
 
+/// @throws Error when there is an XDMF file that names no datasets of this VTKHDF file, as each of xdmf_text() does
+void require_none_of_others(const std::filesystem::path& xdmf, const std::filesystem::path& file);
+
 }  // namespace physgen::truthcube

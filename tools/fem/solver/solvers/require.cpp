@@ -37,8 +37,8 @@ void require_rest(std::size_t l, const MeshLevel& level) {
   const std::string where = "level " + std::to_string(l) + ": ";
   if (level.axes) {
     throw Error(where +
-                "it has axes of prescribed components of its own, which solvers of equilibria take, of the finest "
-                "level, and those of motion in time do not; prescribe components along x, y and z");
+                "components are prescribed along other axes than x, y, z (MeshLevel::axes): set them on the finest "
+                "level, and solve for equilibria; motions take x, y, z alone");
   }
   const auto at = [](index_t i) { return static_cast<std::size_t>(i); };
   const auto nodes = static_cast<index_t>(level.rest.size()), tets = static_cast<index_t>(level.mesh.tets.size());
