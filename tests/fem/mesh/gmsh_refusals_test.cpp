@@ -193,9 +193,9 @@ TEST_F(GmshFile, refuses_what_is_missing_or_no_mesh) {
   EXPECT_EQ(refusal(write("Point(1) = {0, 0, 0};\n")), format);
   EXPECT_EQ(refusal(write(in_version_2(one_tet()), "mesh.geo")), format);
   const auto other = write("*NODE\n1, 0, 0, 0\n", "body.inp");
-  EXPECT_EQ(refusal(other), "is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh " +
-                                other.string() + " " + (folder_ / "body.msh").string() +
-                                " (in a checkout tools/fem/mesh/convert.py)");
+  EXPECT_EQ(refusal(other), "is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh '" +
+                                other.string() + "' '" + (folder_ / "body.msh").string() +
+                                "' (in a checkout tools/fem/mesh/convert.py)");
   const std::string said = refusal(write("*NODE\n1, 0, 0, 0\n", "my 'body.INP"));
   EXPECT_NE(said.find("/my '\\''body.INP' '"), std::string::npos) << said;
   EXPECT_NE(said.find("/my '\\''body.msh' (in"), std::string::npos) << said;
