@@ -180,8 +180,11 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   adapt_smoother(options, scene);
   for (const std::string& note : notes) terminal.text("note: " + note);
   const auto faces = static_cast<std::int64_t>(pressed_faces(scene.history.at(1).pressures).size());
-  const RunBytes bytes =
+  RunBytes bytes =
       bytes_of_run(counts, options.solver, {.scene = options.scene, .names = arrays_of(options), .faces = faces});
+  if (scene.levels.front().axes) {  // the solver is made of a turned copy
+    for (const LevelCounts& level : counts) bytes.lists += bytes_of_mesh(level);
+  }
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;

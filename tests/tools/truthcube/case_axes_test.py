@@ -1,5 +1,7 @@
 """Supports along axes of one's own: case_axes_test.py RULE PROGRAM FOLDER"""
+import json
 import math
+import re
 import sys
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
@@ -39,6 +41,7 @@ def a_turned_box_on_turned_supports_moves_as_the_box_does():
             "curves": {"late": [[0.5, 0], [1, 1]]}, "steps": [0.5, 1],
             "probes": [{"name": name, "at": turn(x)} for name, x in places.items()],
         })
+    # Refinement cuts along a fixed direction, which does not turn with the body: at these angles both are cut alike, at others not.
     for flags in ([], ["--refine", 1], ["--volume", "tets", "--preconditioner", "block-jacobi"], ["--preconditioner", "schwarz"]):
         plain, _ = truthcube.solve(cases[0], *flags)
         found, said = truthcube.solve(cases[1], *flags)
@@ -58,6 +61,12 @@ def a_turned_box_on_turned_supports_moves_as_the_box_does():
                 near(along["reaction"], sign * step["groups"][name]["reaction"][k], 1e-8)
         assert "reaction of z1" in said and "along its axis (" in said, said
         near(found["steps"][1]["energy"], plain["steps"][1]["energy"], 1e-9 * abs(plain["steps"][1]["energy"]))
+    set_up = []
+    for case in cases:
+        (truthcube.folder / "case.json").write_text(json.dumps(case), encoding="ascii")
+        said, _ = truthcube.run("--case", "case.json", "--refine", 3, "--dry-run")
+        set_up.append(float(re.search("set-up: ([0-9.]+) GB more", said)[1]))
+    assert set_up[1] > 1.2 * set_up[0], set_up  # with the turned copy of lists
 
 
 def a_box_on_an_incline_is_stretched_exactly():
