@@ -220,6 +220,8 @@ def meshes_that_cannot_be_converted_are_refused_with_their_line():
     refused(tet + "*ELEMENT, TYPE=C3D4, INPUT=more.inp\n", "line 8: *ELEMENT: the parameter INPUT=more.inp")
     refused(tet + "*SURFACE, NAME=a, COMBINE=UNION\nb, c\n", "line 8: *SURFACE: the parameter COMBINE=UNION")
     refused(tet + "*SURFACE, NAME=a, TYPE=REVOLUTION\nSTART, 0, 0\n", "line 8: *SURFACE: a surface of TYPE=REVOLUTION is none of the mesh")
+    refused(tet + "*NSET\n1\n", "line 9: *NSET: 'NSET' is missing")
+    refused(tet + "*ELSET, ELSET=\n1\n", "line 9: *ELSET: 'ELSET' is missing")
     refused(tet + "*NSET, NSET=a, ELSET=b\n", "line 8: *NSET: there is no ELSET 'b' above this line")
     (truthcube.folder / "good.inp").write_text(tet, encoding="ascii")
     assert "nowhere/a.msh.part: No such file or directory; check the name, its folder" in convert("good.inp", "nowhere/a.msh", 1)

@@ -66,7 +66,7 @@ def abaqus_blocks(path):
 
     for (start, words), rows in itertools.groupby(abaqus_lines(path), header_of):
         pairs = [word.partition("=") for word in words[1:] if word]
-        parameters = {key.strip().upper(): value.strip().strip('"') for key, _, value in pairs}
+        parameters = {key.strip().upper(): value.strip().strip('"') for key, equals, value in pairs if value or not equals}
         yield start, " ".join(words[0][1:].upper().split()), parameters, itertools.islice(rows, 1, None)
 
 
@@ -117,7 +117,7 @@ class AbaqusMesh:
             numbers = self.members(keyword, rows, "GENERATE" in parameters)
             if keyword == "NSET" and "ELSET" in parameters:  # the nodes of its elements
                 numbers += dict.fromkeys(n for e in self.members("ELSET", [[parameters["ELSET"]]], False) for n in self.elements[e])
-            self.add_set(keyword, parameters, numbers)
+            self.add_set(keyword, {keyword: parameters[keyword]}, numbers)
         elif keyword == "SURFACE":
             self.add_surface(parameters, rows)
 
