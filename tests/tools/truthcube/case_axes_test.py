@@ -96,8 +96,8 @@ def axes_that_cannot_be_are_refused_with_their_place():
     refuse([base, {"group": "x0", "axis": [0, 1, 0], "fixed": ["x"]}], "supports[1].fixed: a support with an axis holds along it")
     refuse([base, {"group": "x0", "axis": [0, 1, 0], "displacement": {"x": 1}}], "supports[1].displacement: this must be a number")
     refuse([{"group": "x1", "axis": [2, 0, 0], "displacement": 0.1}, {"group": "x1", "displacement": {"x": 0.2}}, base],
-           "groups 'x1' and 'x1' share the node at (0.04, 0, 0) m at rest", "different displacements along (1, 0, 0) there, 0.1 and 0.2 m; leave",
-           status=1)
+           "groups 'x1' and 'x1' share the node at (0.04, 0, 0) m at rest",
+           "different displacements along (1, 0, 0) there, 0.1 and 0.2 m; leave", status=1)
     refuse([base, {"group": "near", "axis": "normal"}], "group 'near' has no faces", status=1)
     refuse([{"group": "x0", "fixed": ["x"]}, {"group": "x1", "axis": [COSINE, SINE, 0]}],
            "group 'x0', (1, 0, 0), and of group 'x1', (0.866025, 0.5, 0), are at 30 degrees; turn one of the axes", status=1)
