@@ -14,7 +14,6 @@
 namespace graphs {
 
 using namespace physgen;
-
 // One object at a time: relax.cpp has packs. All sums are of doubles, so that a compiler that fuses them does so for
 // all.
 
@@ -252,6 +251,15 @@ inline constexpr HaloUse table[] = {
     {"graphs::AddShares", 1, "element", others, of_touches},
     {"graphs::Lengths", 1, "nodes", own},
     {"graphs::PullPart", 0, "nodes", own},
+    {"graphs::Clear", 0, "x", own},
+    {"graphs::Clear", 1, "f", written},
+    {"graphs::Degree", 0, "begin", own},
+    {"graphs::Degree", 0, "end", own},
+    {"graphs::Degree", 1, "dx", written},
+    {"graphs::Square", 0, "f", own},
+    {"graphs::Square", 1, "f", written},
+    {"graphs::Halve", 0, "f", own},
+    {"graphs::Halve", 1, "dx", written},
 };
 inline constexpr std::size_t rows_that_count = 20;
 
