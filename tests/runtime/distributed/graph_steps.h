@@ -21,14 +21,14 @@ struct Clear {
 template <class... V>
 Clear(V...) -> Clear<V...>;
 
-template <class Rows, class MeanView>
+template <class Rows, class PositionView>
 struct Degree {
-  using Scalar = typename MeanView::Precision;
+  using Scalar = typename PositionView::Precision;
   Rows ends;
-  MeanView means;
+  PositionView positions;
   void operator()(index_t i) const {
-    using Vector = Eigen::Matrix<typename MeanView::Precision, 3, 1>;
-    means[i].dx() = Vector(Vector::Constant(static_cast<typename MeanView::Precision>(ends.size(i))));
+    const Scalar degree = static_cast<Scalar>(ends.size(i));
+    positions[i].x() = (positions[i].x().get() * degree * Scalar(0.0625F)).eval();
   }
 };
 template <class... V>
@@ -36,31 +36,30 @@ Degree(V...) -> Degree<V...>;
 
 /// The first step of a fused kernel. @tparam PullView a local, which has a number among the views, and no memory
 template <class ForceView, class PullView>
-struct Square {
+struct Quarter {
   using Scalar = typename ForceView::Precision;
   ForceView forces;
   PullView pulls;
   template <class I>
   void operator()(const I& i) const {
-    const auto f = forces[i].f().get();
-    pulls[i].f() = f.cwiseProduct(f).eval();
+    pulls[i].f() = (forces[i].f().get() * Scalar(0.25F)).eval();
   }
 };
 template <class... V>
-Square(V...) -> Square<V...>;
+Quarter(V...) -> Quarter<V...>;
 
 /// The second.
-template <class PullView, class MeanView>
-struct Halve {
-  using Scalar = typename MeanView::Precision;
+template <class PullView, class PositionView>
+struct Push {
+  using Scalar = typename PositionView::Precision;
   PullView pulls;
-  MeanView means;
+  PositionView positions;
   template <class I>
   void operator()(const I& i) const {
-    means[i].dx() = (pulls[i].f().get() * Scalar(0.5F)).eval();
+    positions[i].x() = (positions[i].x().get() * Scalar(0.5F) + pulls[i].f().get()).eval();
   }
 };
 template <class... V>
-Halve(V...) -> Halve<V...>;
+Push(V...) -> Push<V...>;
 
 }  // namespace graphs

@@ -150,11 +150,11 @@ void step(On& on, Body& b, int chosen) {
     case 12:
       return on.run(nodes, Clear{x, b.forces.view()});
     case 13:
-      return on.run(nodes, Degree{ends, b.means.view()});
+      return on.run(nodes, Degree{ends, b.positions.view()});
     case 14: {
       const auto pulls = local<elasticity::NodeForceObject, typename decltype(b.forces)::Precision>();
-      return on.run(nodes,
-                    lanes<1>(fuse(locals(pulls), Square{b.forces.const_view(), pulls}, Halve{pulls, b.means.view()})));
+      return on.run(
+          nodes, lanes<1>(fuse(locals(pulls), Quarter{b.forces.const_view(), pulls}, Push{pulls, b.positions.view()})));
     }
     default:
       return on.run(nodes, Smooth{ends, b.edges.const_view(), x, b.means.view()});

@@ -255,11 +255,11 @@ inline constexpr HaloUse table[] = {
     {"graphs::Clear", 1, "f", written},
     {"graphs::Degree", 0, "begin", own},
     {"graphs::Degree", 0, "end", own},
-    {"graphs::Degree", 1, "dx", written},
-    {"graphs::Square", 0, "f", own},
-    {"graphs::Square", 1, "f", written},
-    {"graphs::Halve", 0, "f", own},
-    {"graphs::Halve", 1, "dx", written},
+    {"graphs::Degree", 1, "x", changed},
+    {"graphs::Quarter", 0, "f", own},
+    {"graphs::Quarter", 1, "f", written},
+    {"graphs::Push", 0, "f", own},
+    {"graphs::Push", 1, "x", changed},
 };
 inline constexpr std::size_t rows_that_count = 20;
 
