@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace graphs {
-
 using namespace physgen;
 // One object at a time: relax.cpp has packs. All sums are of doubles, so that a compiler that fuses them does so for
 // all.
@@ -255,7 +254,8 @@ inline constexpr HaloUse table[] = {
     {"graphs::Clear", 1, "f", written},
     {"graphs::Degree", 0, "begin", own},
     {"graphs::Degree", 0, "end", own},
-    {"graphs::Degree", 1, "x", changed},
+    {"graphs::Degree", 1, "", {}},
+    {"graphs::Degree", 2, "x", changed},
     {"graphs::Quarter", 0, "f", own},
     {"graphs::Quarter", 1, "f", written},
     {"graphs::Push", 0, "f", own},
