@@ -148,8 +148,10 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
   set(all_written "")
   set(options "")
   set(environment "")
+  set(precompiled ${state}.pch)
   if(device)
     list(APPEND options --device)
+    list(APPEND precompiled ${state}.pch.device)
     if(CMAKE_CUDA_COMPILER)  # bin/nvcc of its toolkit
       cmake_path(GET CMAKE_CUDA_COMPILER PARENT_PATH toolkit)
       cmake_path(GET toolkit PARENT_PATH toolkit)
@@ -163,7 +165,7 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
   file(GENERATE OUTPUT ${state}.$<CONFIG>.flags CONTENT "${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
   add_custom_command(
     OUTPUT ${state}.pch.stamp
-    BYPRODUCTS ${state}.pch
+    BYPRODUCTS ${precompiled}
     COMMAND ${environment} $<TARGET_FILE:physgen::physgen> precompile -o ${state}.pch ${options} --depfile ${state}.pch.d
             --stamp ${state}.pch.stamp ${flags_behind}
     DEPENDS ${state}.$<CONFIG>.flags physgen::physgen

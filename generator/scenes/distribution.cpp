@@ -8,9 +8,11 @@
 namespace physgen::scenes {
 namespace {
 
-/// Members of physgen::DistributedScene, beside which the arrays of a single group stand, or the groups themselves.
-constexpr std::array<std::string_view, 9> members = {"allocate",  "connect",    "cut",           "each_block", "fill",
-                                                     "not_given", "objects_of", "owned_changed", "whole"};
+/// Members of physgen::DistributedScene, beside which the arrays of a single group stand, or the groups themselves, and
+/// what the generated struct names.
+constexpr std::array<std::string_view, 13> members = {
+    "Counts", "DistributedScene", "allocate",   "connect",       "cut",    "each_block", "fill",
+    "halos",  "not_given",        "objects_of", "owned_changed", "scene_", "whole"};
 
 class DistributionFinder {
  public:
@@ -50,10 +52,13 @@ class DistributionFinder {
   void check_members() {
     const auto check = [&](const std::string& what, const std::string& name) {
       if (std::ranges::find(members, name) != members.end())
-        refuse(what + " has the name of a function that the arrays of ranks have; give it another name");
+        refuse(what + " has the name of a member that the arrays of ranks have; give it another name");
     };
+    for (const Distribution::Set& one : found_.sets)
+      if (one.name == "not_given") check("set " + one.name, one.name);
     for (const Group& group : scene_.groups) {
       if (group.name == "Distributed") refuse("group Distributed has the name of its struct; give it another name");
+      check("group " + group.name, group.name);
       if (scene_.groups.size() > 1) check("group " + group.name, group.variable);
       if (scene_.groups.size() > 1) continue;
       for (const Array& one : group.arrays) check("array " + group.full_name(one), one.name);

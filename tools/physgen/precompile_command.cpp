@@ -20,7 +20,9 @@ void require_own(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   char magic[4] = {};
   if (in && (!in.read(magic, sizeof magic) || std::string_view(magic, sizeof magic) != "CPCH"))
-    throw FileError("cannot write '" + file + "': it is there, and is no precompiled header; name another file");
+    throw FileError("cannot write '" + file +
+                    "': it is there, and is no precompiled header; remove it, or name another "
+                    "file");
 }
 
 }  // namespace
@@ -59,14 +61,12 @@ void describe_precompile(CLI::App& app, PrecompileRequest& request) {
 int precompile(const PrecompileRequest& request, std::ostream& err) {
   const Stamp stamp{request.stamp};
   std::vector<usage::Side> sides = {usage::Side::host};
-  if (request.device) {
-    sides.push_back(usage::Side::device);
-    if (!usage::has_device_side()) {
-      err << without_toolkit(request.output);
-      return errors;
-    }
+  if (request.device) sides.push_back(usage::Side::device);
+  for (const usage::Side side : sides) require_own(usage::precompiled(request.output, side));
+  if (request.device && !usage::has_device_side()) {
+    err << without_toolkit(request.output);
+    return errors;
   }
-  require_own(request.output);
   make_folder_of(request.output);
   usage::Diagnostics diagnostics;
   const bool good = usage::precompile(request.output, request.flags, sides, diagnostics);

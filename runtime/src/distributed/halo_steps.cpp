@@ -20,6 +20,10 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     throw Error(*kernels.front().name + " runs between two parts of the reduction of " + *open_.name +
                 ", of which ranks may have other numbers; run it behind the last part, or reduce all in one part");
   }
+  if (current_ != nullptr) {
+    throw Error(*kernels.front().name + " is begun inside of the step of " + current_name_ +
+                ", behind which it is not known yet what is fresh; run it behind that step");
+  }
   Key key;
   for (const Kernel& kernel : kernels) {
     key.push_back(reinterpret_cast<std::intptr_t>(kernel.name));
@@ -29,8 +33,10 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   auto found = steps_.find(key);
   if (found == steps_.end()) found = steps_.emplace(std::move(key), resolve(kernels, size)).first;
   const Step& step = found->second;
-  current_ = &step;
   if (step.set < 0) {
+    require_size_of_all_ranks(kernels, size, way);
+    current_ = &step;
+    current_name_ = *kernels.front().name;
     on_ghosts_ = true;
     return {0, size, nullptr};
   }
@@ -44,6 +50,8 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     throw Error(*kernels.front().name + " is reduced over the entries of rows, " + over.name +
                 ", which have no blocks that all numbers of ranks have; reduce over the objects that have the rows");
   }
+  current_ = &step;
+  current_name_ = *kernels.front().name;
   std::vector<Field> stale;
   for (const Field& field : step.gathered) {
     if (!is_fresh(field)) stale.push_back(field);
@@ -99,9 +107,10 @@ void HaloSteps::end() {
   if (step == nullptr || step->set < 0) return;
   if (arrays_.sets()[static_cast<std::size_t>(step->set)].kind != DistributedSet::Kind::owned) return;
   for (const Field& field : step->written) {
-    arrays_.arrays()[static_cast<std::size_t>(field.array)].is_fresh[static_cast<std::size_t>(field.field)] =
-        on_ghosts_ ? 1 : 0;
-    if (!on_ghosts_ && poisons_) poison(field);
+    // A step may write some objects of the field, or some of its elements: of ghosts the others stay as they were.
+    if (on_ghosts_ && is_fresh(field)) continue;
+    arrays_.arrays()[static_cast<std::size_t>(field.array)].is_fresh[static_cast<std::size_t>(field.field)] = 0;
+    if (poisons_) poison(field);
   }
 }
 

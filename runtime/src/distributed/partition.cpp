@@ -68,7 +68,7 @@ void Partition::same_set(std::string_view set, std::string_view other) {
   one.same_as = to;
   const auto rename = [&](int& number) { number = number == from ? to : number; };
   for (DistributedSet& each : sets_) rename(each.follows);
-  for (DistributedArray& array : arrays_) rename(array.set);
+  for (DistributedArray& array : arrays_) rename(array.set), rename(array.uniform_of);
   for (Naming& naming : namings_) rename(naming.source), rename(naming.target);
   for (Connection& connection : connections_) rename(connection.source), rename(connection.target);
 }
@@ -122,12 +122,20 @@ const LocalSet& Partition::set(std::string_view name) const {
   return *found.local;
 }
 
-const LocalSet& Partition::set_of(const void* array) const {
-  return set(sets_[static_cast<std::size_t>(arrays_[static_cast<std::size_t>(number_of_array(array))].set)].name);
+const LocalSet& Partition::set_of(int array) const {
+  return set(sets_[static_cast<std::size_t>(arrays_[static_cast<std::size_t>(array)].set)].name);
 }
 
-void Partition::set_fresh(const void* array, bool is_fresh) {
-  DistributedArray& found = arrays_[static_cast<std::size_t>(number_of_array(array))];
+int Partition::number_by_memory(const void* array, const std::byte* base) const {
+  if (!is_cut_ || base == nullptr) return number_of_array(array);
+  if (const int found = find(base); found >= 0) return found;
+  throw Error(
+      "an array has other memory than cut() gave the distributed arrays; fill the array that has this memory, "
+      "and resize or assign none behind cut()");
+}
+
+void Partition::set_fresh(int array, bool is_fresh) {
+  DistributedArray& found = arrays_[static_cast<std::size_t>(array)];
   for (std::size_t f = 0; f < found.is_fresh.size(); ++f) found.is_fresh[f] = is_fresh || found.is_index[f] ? 1 : 0;
 }
 

@@ -105,7 +105,10 @@ void SceneNames::require_all_connected() const {
 }
 
 void SceneNames::require_cut() const {
-  if (!is_cut_) throw Error("the arrays of a scene have no objects as yet; call cut() before an executor is made");
+  if (!is_cut_)
+    throw Error(
+        "the arrays of ranks have no objects before cut(); call cut() behind the last connect(), and then make the "
+        "executor");
 }
 
 }  // namespace physgen::detail

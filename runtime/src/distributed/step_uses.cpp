@@ -92,16 +92,21 @@ std::vector<HaloSteps::Use> HaloSteps::uses_of(std::span<const Kernel> kernels) 
 
 int HaloSteps::set_of(const std::vector<Use>& uses, index_t size) {
   int found = -1;
-  bool has_parts = false, is_of_shared = false;
+  const Use *of_parts = nullptr, *of_shared = nullptr;
+  std::set<int> of_uniform;
+  bool may_be_of_uniform = false;
   const std::string kernels = names_of(uses);
   for (const Use& use : uses) {
     if (use.field.array < 0) continue;
     const bool is_own = use.access.reads_own || use.access.writes_own;
     if (set_of_array(use.field.array).kind == DistributedSet::Kind::replicated) {
-      is_of_shared |= is_own;
+      const int set = set_of_uniform(use);
+      may_be_of_uniform |= set >= 0 && !use.is_known;
+      if (is_own && set >= 0) of_uniform.insert(set);
+      if (is_own && set < 0) of_shared = &use;
       continue;
     }
-    has_parts = true;
+    of_parts = &use;
     if (!is_own) continue;
     const int set = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set;
     if (found >= 0 && found != set) {
@@ -111,23 +116,55 @@ int HaloSteps::set_of(const std::vector<Use>& uses, index_t size) {
     }
     found = set;
   }
-  if (!has_parts || found >= 0) return found;
-  if (is_of_shared) {
-    throw Error(kernels +
-                " runs over objects that all ranks have, and uses arrays of which ranks have parts; reduce what "
-                "is wanted of them");
+  if (found >= 0 || (of_shared != nullptr && of_parts == nullptr)) return found;
+  if (of_shared != nullptr) {
+    throw Error(
+        kernels + " runs over the objects of " +
+        arrays_.arrays()[static_cast<std::size_t>(of_shared->field.array)].name + ", which all ranks have, and uses " +
+        arrays_.arrays()[static_cast<std::size_t>(of_parts->field.array)].name + ", of which ranks have parts of set " +
+        set_of_array(of_parts->field.array).name + "; reduce what is wanted of it");
   }
-  return set_of_all_ranks(uses, size, kernels);
+  if (of_uniform.size() == 1 && !may_be_of_uniform) return *of_uniform.begin();
+  if (of_parts == nullptr && of_uniform.empty() && !may_be_of_uniform) return -1;
+  return set_of_all_ranks(uses, size, of_parts != nullptr);
 }
 
-int HaloSteps::set_of_all_ranks(const std::vector<Use>& uses, index_t size, const std::string& kernels) {
+int HaloSteps::set_of_uniform(const Use& use) const {
+  const int set = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].uniform_of;
+  if (set < 0 || arrays_.sets()[static_cast<std::size_t>(set)].kind != DistributedSet::Kind::owned) return -1;
+  return set;
+}
+
+void HaloSteps::require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way) const {
+  bool has_views = false;
+  for (const Kernel& kernel : kernels) {
+    for (const KernelView& view : kernel.views) {
+      const int array = view.base == nullptr ? -1 : arrays_.find(view.base);
+      if (view.base == nullptr || (array >= 0 && set_of_array(array).kind != DistributedSet::Kind::replicated))
+        continue;
+      has_views = true;
+      if (size == (array < 0 ? view.size : set_of_array(array).size)) return;
+    }
+  }
+  if (!has_views && way != Way::reduce) return;  // it leaves nothing
+  throw Error(
+      "it is not known over which set " + *kernels.front().name + " is run: the size " + std::to_string(size) +
+      " is that of no array that it uses and all ranks have; let it read its own object of an array that has so "
+      "many, array.size()");
+}
+
+int HaloSteps::set_of_all_ranks(const std::vector<Use>& uses, index_t size, bool has_parts) {
   // Sizes of two sets may be equal on one rank, and not on another.
   std::vector<index_t> fits(arrays_.sets().size(), 0);
   for (const Use& use : uses) {
     if (use.field.array < 0) continue;
-    const int set = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set;
-    const DistributedSet& one = arrays_.sets()[static_cast<std::size_t>(set)];
-    if (one.kind == DistributedSet::Kind::owned && one.local->size() == size) fits[static_cast<std::size_t>(set)] = 1;
+    for (const int set : {arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set, set_of_uniform(use)}) {
+      if (set < 0) continue;
+      const DistributedSet& one = arrays_.sets()[static_cast<std::size_t>(set)];
+      const bool may_be =
+          one.kind == DistributedSet::Kind::owned || (!has_parts && one.kind == DistributedSet::Kind::replicated);
+      if (may_be && one.local->size() == size) fits[static_cast<std::size_t>(set)] = 1;
+    }
   }
   const auto ranks = static_cast<std::size_t>(arrays_.ranks().count());
   const std::vector<index_t> sizes(ranks, static_cast<index_t>(fits.size() * sizeof(index_t)));
@@ -140,7 +177,7 @@ int HaloSteps::set_of_all_ranks(const std::vector<Use>& uses, index_t size, cons
     if (everywhere) found.push_back(static_cast<int>(s));
   }
   if (found.size() == 1) return found.front();
-  throw Error("it is not known over which set " + kernels + " is run: the size " + std::to_string(size) +
+  throw Error("it is not known over which set " + names_of(uses) + " is run: the size " + std::to_string(size) +
               " is that of " + std::to_string(found.size()) +
               " sets of its views; give it rows in the table of kernels");
 }
@@ -228,7 +265,13 @@ HaloSteps::Step HaloSteps::resolve(std::span<const Kernel> kernels, index_t size
       continue;
     }
     if (use.access.reads_others) add_gathered(step, use);
-    if (use.access.reads_own && is_of_parts) step.own.insert(use.field);
+    if (use.access.reads_own && is_of_parts) {
+      step.own.insert(use.field);
+      // Ghosts of a set that follows none have neither rows nor numbers of what they name.
+      const bool is_index = arrays_.arrays()[static_cast<std::size_t>(use.field.array)]
+                                .is_index[static_cast<std::size_t>(use.field.field)] != 0;
+      if (is_index && set_of_array(use.field.array).follows < 0) step.reaches_on_ghosts = false;
+    }
     if (use.access.writes_own && is_of_parts) step.written.insert(use.field);
   }
   if (step.is_known) return step;

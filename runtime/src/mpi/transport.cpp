@@ -65,7 +65,8 @@ class MpiTransport final : public Transport {
   void gather_bytes(std::span<const std::byte> mine, std::span<const index_t> sizes,
                     std::span<std::byte> all) override {
     if (all.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      throw Error("a gather of " + std::to_string(all.size()) + " bytes is more than MPI counts; gather parts of them");
+      throw Error("what ranks gather, such as the values of a reduction's blocks, has " + std::to_string(all.size()) +
+                  " bytes, and MPI gathers 2147483647 at most; reduce fewer terms in one kernel");
     }
     std::vector<int> lengths(sizes.size()), begins(sizes.size(), 0);
     for (std::size_t r = 0; r < sizes.size(); ++r) {

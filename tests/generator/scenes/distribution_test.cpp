@@ -191,7 +191,13 @@ TEST(Distribution, is_not_where_ranks_cannot_have_the_arrays_and_the_report_says
   arrays->back().follows = "face";
   expect("set edge follows node and face; let it follow one of them");
   (*arrays)[0].name = "fill";
-  expect("array body.fill has the name of a function that the arrays of ranks have; give it another name");
+  expect("array body.fill has the name of a member that the arrays of ranks have; give it another name");
+  (*arrays)[0].name = "halos";
+  expect("array body.halos has the name of a member that the arrays of ranks have; give it another name");
+  scene.groups[0].name = "Counts";
+  expect("group Counts has the name of a member that the arrays of ranks have; give it another name");
+  (*arrays)[4].set = "not_given";
+  expect("set not_given has the name of a member that the arrays of ranks have; give it another name");
   scene.groups[0].name = "Distributed";
   expect("group Distributed has the name of its struct; give it another name");
   (*arrays)[2].set.clear();

@@ -12,9 +12,7 @@
 #include <vector>
 
 namespace graphs {
-
 using namespace physgen;
-
 // One object at a time: relax.cpp has packs. All sums are of doubles, so that a compiler that fuses them does so for
 // all.
 
@@ -252,6 +250,16 @@ inline constexpr HaloUse table[] = {
     {"graphs::AddShares", 1, "element", others, of_touches},
     {"graphs::Lengths", 1, "nodes", own},
     {"graphs::PullPart", 0, "nodes", own},
+    {"graphs::Clear", 0, "x", own},
+    {"graphs::Clear", 1, "f", written},
+    {"graphs::Degree", 0, "begin", own},
+    {"graphs::Degree", 0, "end", own},
+    {"graphs::Degree", 1, "", {}},
+    {"graphs::Degree", 2, "x", changed},
+    {"graphs::Quarter", 0, "f", own},
+    {"graphs::Quarter", 1, "f", written},
+    {"graphs::Push", 0, "f", own},
+    {"graphs::Push", 1, "x", changed},
 };
 inline constexpr std::size_t rows_that_count = 20;
 

@@ -109,6 +109,21 @@ TEST_F(ScenesOfRanks, take_rows_from_arrays_of_rows) {
   }
 }
 
+TEST_F(ScenesOfRanks, keep_rows_that_are_given_as_a_temporary) {
+  const auto rows = [](index_t first) {
+    std::vector<std::vector<End>> lists;
+    for (index_t node = 0; node < nodes; ++node) lists.push_back(row(first + node));
+    return EndsOfNodes::from_lists({"element", edges}, lists);
+  };
+  const EndsOfNodes wanted = rows(0);
+  body.connect(body.edges, [](index_t e) { return std::array{e, e + 1}; });
+  body.connect(body.ranges, body.ends, rows(0));
+  std::vector<EndsOfNodes> others(4);  // in the memory that a temporary would leave
+  for (EndsOfNodes& other : others) other = rows(2);
+  body.cut();
+  for (index_t i = 0; i < nodes; ++i) EXPECT_EQ(body.ranges.const_view()[i].end(), wanted.ranges()[i].end());
+}
+
 TEST_F(ScenesOfRanks, may_have_no_objects_but_not_a_number_that_is_not_given) {
   Relax none(ranks, {.node = 0, .edge = 0});
   connect(none);
@@ -155,7 +170,8 @@ TEST_F(ScenesOfRanks, refuse_calls_out_of_order_with_the_remedy) {
   EXPECT_EQ(message_of([&] { body.fill(body.positions, position); }),
             "physgen: set node has no local numbers; call cut() first, and ask for sets of objects");
   EXPECT_EQ(message_of([&] { DistributedExecutor<HostExecutor>(ranks, body); }),
-            "physgen: the arrays of a scene have no objects as yet; call cut() before an executor is made");
+            "physgen: the arrays of ranks have no objects before cut(); call cut() behind the last connect(), and then "
+            "make the executor");
   body.cut();
   EXPECT_EQ(message_of([&] { body.connect(body.edges, two); }),
             "physgen: body.edges is connected behind cut(); connect all arrays before it");
@@ -176,7 +192,8 @@ struct OfOneLength : DistributedScene {
   elasticity::EdgeArray<float> edges;
   UniformArray<elasticity::RestShapeArray<float>> rest;
   LocalArray<elasticity::NodeForceArray<float>, OfOneLength> local;
-  explicit OfOneLength(const Ranks& ranks) : DistributedScene(ranks, {}) {
+  static constexpr HaloUse uses[] = {{"Volumes", 0, "volume", {.reads_own = true}}};
+  explicit OfOneLength(const Ranks& ranks) : DistributedScene(ranks, uses) {
     scene_.add_set("edge", 70);
     scene_.add_set("node", 71);
     scene_.add_array("body.edges", "edge", edges);
@@ -198,6 +215,13 @@ TEST_F(ScenesOfRanks, give_arrays_that_hold_no_objects_the_size_of_their_set) {
     return value;
   });
   EXPECT_EQ(one.rest.const_view()[index_t{69}].volume(), 0.5F);
+  // A step of one record is over the set that has it, of which each rank does its own part.
+  const auto view = one.rest.const_view();
+  for (const std::string name : {"Volumes", "not in the table"}) {
+    HaloSteps steps(one, true);
+    const HaloSteps::Kernel kernel{&name, {{view.untyped().base, view.size(), false, "rest"}}};
+    EXPECT_EQ(steps.begin(std::span(&kernel, 1), 70, HaloSteps::Way::reduce).set, &one.objects_of(one.edges)) << name;
+  }
 }
 
 }  // namespace

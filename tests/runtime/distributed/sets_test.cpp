@@ -139,6 +139,15 @@ TEST(KernelMembers, views_are_found_in_members_of_members_in_their_order) {
   EXPECT_EQ(name_of_kernel<Kernel>(), "physgen::(anonymous namespace)::Nested");
 }
 
+TEST(KernelMembers, a_local_of_a_fused_kernel_has_a_number_and_no_memory) {
+  elasticity::NodeForceArray<float> forces(3);
+  const auto pulls = local<elasticity::NodeForceObject, float, FormatsOfSpace, struct Pulls>();
+  std::vector<bool> stored;
+  for_each_view(springs::Move{pulls, forces.view(), 1.0F, -1},
+                [&](const KernelView& view) { stored.push_back(view.base != nullptr); });
+  EXPECT_EQ(stored, (std::vector<bool>{false, true}));
+}
+
 TEST(KernelMembers, fused_kernels_are_their_steps_and_lanes_are_no_part_of_a_name) {
   elasticity::NodeForceArray<float> forces(3);
   elasticity::NodePositionArray<float> positions(3);

@@ -26,6 +26,9 @@ inline constexpr HaloUse table[] = {
     {"OfOne", 1, "x", {.reads_others = true}},
     {"Known", 0, "x", {.reads_own = true}},
     {"OfEntries", 0, "element", {.reads_own = true}},
+    {"Sets", 0, "x", {.writes_own = true}},
+    {"Degree", 0, "end", {.reads_own = true}},
+    {"Degree", 1, "x", {.writes_own = true}},
     {"RowsOfOthers", 0, "nodes", {.reads_own = true}},
     {"RowsOfOthers", 1, "begin", {.reads_others = true}, "b.edges.nodes"},
 };
@@ -69,6 +72,17 @@ class Steps : public testing::Test {
     } catch (const Error& error) {
       return error.what();
     }
+  }
+  /// Whether ghosts of an array's first field are fresh behind a step.
+  bool is_fresh_behind(const std::string& kernel, std::vector<KernelView> views, const auto& array) {
+    HaloSteps steps(arrays, true);
+    const HaloSteps::Kernel one{&kernel, std::move(views)};
+    (void)steps.begin(std::span(&one, 1), array.size(), HaloSteps::Way::run);
+    steps.end();
+    return is_fresh(array);
+  }
+  bool is_fresh(const auto& array) const {
+    return arrays.arrays()[static_cast<std::size_t>(arrays.find(array.untyped().base))].is_fresh[0] != 0;
   }
   static std::string message_of(const auto& body) {
     try {

@@ -59,10 +59,9 @@ TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
   EXPECT_EQ(step("OfTwo", {of(positions.const_view()), of(edges.const_view())}, 100),
             "physgen: OfTwo uses own objects of two sets, node and edge; correct its rows in the table of kernels, "
             "or say same_set() where they have the same objects");
-  EXPECT_EQ(
-      step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
-      "physgen: OfOne runs over objects that all ranks have, and uses arrays of which ranks have parts; reduce what "
-      "is wanted of them");
+  EXPECT_EQ(step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
+            "physgen: OfOne runs over the objects of b.state, which all ranks have, and uses b.positions, of which "
+            "ranks have parts of set node; reduce what is wanted of it");
   EXPECT_EQ(
       step("OfEntries", {of(ends.const_view())}, 60, HaloSteps::Way::reduce),
       "physgen: OfEntries is reduced over the entries of rows, b.ends, which have no blocks that all numbers of ranks "
@@ -82,12 +81,71 @@ TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
             "wanted into an array that all ranks have");
 }
 
+TEST_F(Steps, leave_stale_what_they_may_write_in_part) {
+  cut(true);
+  EXPECT_TRUE(is_fresh_behind("Sets", {of(positions.view())}, positions));
+  arrays.owned_changed(positions);
+  EXPECT_FALSE(is_fresh_behind("Sets", {of(positions.view())}, positions));
+}
+
+TEST_F(Steps, are_not_done_for_ghosts_that_have_no_rows) {
+  cut(true);
+  EXPECT_FALSE(is_fresh_behind("Degree", {of(ranges.const_view()), of(positions.view())}, positions));
+}
+
+TEST_F(Steps, refuse_numbers_of_objects_that_may_be_those_of_a_rank) {
+  cut(true);
+  EXPECT_EQ(step("Counts", {}, 1, HaloSteps::Way::reduce),
+            "physgen: it is not known over which set Counts is run: the size 1 is that of no array that it uses and "
+            "all ranks have; let it read its own object of an array that has so many, array.size()");
+  for (const auto way : {HaloSteps::Way::run, HaloSteps::Way::reduce, HaloSteps::Way::at_once}) {
+    EXPECT_EQ(step("OfOne", {of(state.const_view())}, 100, way),
+              "physgen: it is not known over which set OfOne is run: the size 100 is that of no array that it uses and "
+              "all ranks have; let it read its own object of an array that has so many, array.size()");
+    EXPECT_EQ(step("OfOne", {of(state.const_view())}, 1, way), "0 to 1");
+  }
+}
+
+TEST_F(Steps, refuse_a_step_that_is_begun_inside_of_another) {
+  cut(true);
+  const std::string outer = "Sets", inner = "Known";
+  const HaloSteps::Kernel sets{&outer, {of(positions.view())}}, known{&inner, {of(positions.const_view())}};
+  HaloSteps steps(arrays, true);
+  const auto begin = [&](const HaloSteps::Kernel& one) {
+    return message_of([&] { (void)steps.begin(std::span(&one, 1), 100, HaloSteps::Way::run); });
+  };
+  EXPECT_EQ(begin(sets), "accepted");
+  EXPECT_EQ(
+      begin(known),
+      "physgen: Known is begun inside of the step of Sets, behind which it is not known yet what is fresh; run it "
+      "behind that step");
+  steps.end();
+  EXPECT_EQ(begin(known), "accepted");
+}
+
 TEST_F(Steps, follow_arrays_that_a_program_moves_and_swaps) {
   cut(true);
   const int number = arrays.find(positions.untyped().base);
   elasticity::NodePositionArray<float> moved = std::move(positions);
   EXPECT_EQ(arrays.find(moved.untyped().base), number);
   EXPECT_EQ(step("Known", {of(moved.const_view())}, 100), "0 to 100");
+}
+
+TEST_F(Steps, know_which_array_was_changed_behind_a_swap) {
+  make_sets(true);
+  elasticity::NodePositionArray<float> before;
+  arrays.add("b.before", "node", before);
+  arrays.cut();
+  std::swap(positions, before);
+  arrays.owned_changed(positions);
+  EXPECT_FALSE(is_fresh(positions));
+  EXPECT_TRUE(is_fresh(before));
+  arrays.fill(positions, [](index_t) { return elasticity::NodePosition<float>{}; });
+  EXPECT_TRUE(is_fresh(positions));
+  before = elasticity::NodePositionArray<float>(100);
+  EXPECT_EQ(message_of([&] { arrays.owned_changed(before); }),
+            "physgen: an array has other memory than cut() gave the distributed arrays; fill the array that has this "
+            "memory, and resize or assign none behind cut()");
 }
 
 TEST_F(Steps, refuse_sets_and_arrays_that_cannot_be) {

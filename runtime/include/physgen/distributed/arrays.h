@@ -35,14 +35,8 @@ class DistributedArrays : public Partition {
   /// @throw Error when the name or the array is taken, or there is no such set
   template <class Array>
   void add(const std::string& name, std::string_view set, Array& array) {
-    add_array({name,
-               number_of(set),
-               &array,
-               [&array] { return array.untyped(); },
-               [&array](index_t size) { array = Array(size); },
-               {},
-               {},
-               {}});
+    add_array({name, number_of(set), &array, [&array] { return array.untyped(); },
+               [&array](index_t size) { array = Array(size); }});
   }
   /// A field of indices names objects of a set.
   /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called
@@ -63,16 +57,21 @@ class DistributedArrays : public Partition {
   void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
                     std::string_view target, const Row& row, int shift = 0);
 
-  // ---- After it. ----
+  // ---- After it. An array is told by its memory, so that programs may move and swap arrays. ----
 
+  /// Which objects of an array this rank has, and their local numbers.
+  template <class Array>
+  [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
+    return set_of(number_of_this(array));
+  }
   /// Every object of an array, owned or a ghost: value(global number) gives the array's Value.
   template <class Array, class Value>
     requires std::invocable<const Value&, index_t>
   void fill(Array& array, const Value& value) {
-    const LocalSet& objects = set_of(&array);
+    const LocalSet& objects = objects_of(array);
     const auto view = array.view();
     for (index_t i = objects.first(); i < objects.last(); ++i) view.put(i, value(objects.global(i)));
-    set_fresh(&array, true);
+    set_fresh(number_of_this(array), true);
   }
   /// The same from an array of all objects, in any layout, precision and formats.
   /// @throw Error when it has another number of objects
@@ -82,7 +81,7 @@ class DistributedArrays : public Partition {
   /// The caller has written objects of an array that this rank owns, outside of the program's steps. All ranks call it.
   template <class Array>
   void owned_changed(const Array& array) {
-    set_fresh(&array, false);
+    set_fresh(number_of_this(array), false);
   }
   /// Calls body(first, view) on rank 0, with the objects first .. first + view.size() - 1 of all ranks, in ascending
   /// order; on other ranks, which call this too, it is not called.
@@ -92,13 +91,17 @@ class DistributedArrays : public Partition {
   /// On rank 0 an array of all objects, on other ranks, which call this too, one of none.
   template <class Array>
   [[nodiscard]] Array whole(const Array& array) {
-    Array all(ranks().is_first() ? set_of(&array).runs().size() : 0);
+    Array all(ranks().is_first() ? objects_of(array).runs().size() : 0);
     each_block(array,
                [&](index_t first, const auto& view) { detail::pick(all.untyped(), first, view.untyped(), nullptr); });
     return all;
   }
 
  private:
+  template <class Array>
+  [[nodiscard]] int number_of_this(const Array& array) const {
+    return number_by_memory(&array, array.untyped().base);
+  }
   [[nodiscard]] std::vector<index_t> local_numbers(const LocalSet& set, index_t begin, index_t end) const {
     std::vector<index_t> numbers(static_cast<std::size_t>(end - begin));
     for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = set.local(begin + static_cast<index_t>(k));
@@ -109,7 +112,7 @@ class DistributedArrays : public Partition {
 template <class Array, class Whole>
   requires detail::SameObject<Array, Whole>
 void DistributedArrays::fill(Array& array, const Whole& whole) {
-  const LocalSet& objects = set_of(&array);
+  const LocalSet& objects = objects_of(array);
   if (whole.size() != objects.runs().size()) {
     throw Error(std::string(Array::Object::name) + ": an array of " + std::to_string(whole.size()) +
                 " objects is given for a set of " + std::to_string(objects.runs().size()) + "; give all objects");
@@ -119,7 +122,7 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
   const auto& same = detail::in_form_of<Array>(whole);
   const detail::Numbers order(numbers, {});
   detail::pick(array.untyped(), objects.first(), same.untyped(), &order);
-  set_fresh(&array, true);
+  set_fresh(number_of_this(array), true);
 }
 
 template <class Ranges, class Entries, class Row>
@@ -164,7 +167,7 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
 
 template <class Array, class Body>
 void DistributedArrays::each_block(const Array& array, const Body& body, index_t most) {
-  const LocalSet& objects = set_of(&array);
+  const LocalSet& objects = objects_of(array);
   const index_t all = objects.runs().size();
   const index_t step = std::max(most / std::max(Array::record_bytes, 1) / Runs::block, index_t{1}) * Runs::block;
   for (index_t first = 0; first < all; first += step) {

@@ -14,7 +14,10 @@
 #include <physgen/distributed/executor.h>
 #include <physgen/distributed/scene_sets.h>
 
+#include <memory>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace physgen {
 
@@ -56,21 +59,25 @@ class DistributedScene {
   }
   /// Rows: ranges, and the entries that name others.
   /// @param rows rows(object) gives a range of Entries::Value, with global numbers; or RowArrays of all objects, in the
-  /// host's memory. It is used until cut() returns
+  /// host's memory. It is used until cut() returns; a temporary is kept
   /// @throw Error when the scene has no such rows
   template <class Ranges, class Entries, class RowsOfAll>
     requires requires { typename Entries::Object; }
-  void connect(const Ranges& ranges, Entries& entries, const RowsOfAll& rows) {
+  void connect(const Ranges& ranges, Entries& entries, RowsOfAll&& rows) {
     detail::SceneNames::RowsOfScene& of = scene_.scene_names().to_be_connected(&ranges, &entries);
     const auto connect = [&](const auto& row) {
       scene_.connect_rows(ranges, of.name, detail::contents_of(entries), of.field, of.set, row, of.shift);
     };
-    if constexpr (std::invocable<const RowsOfAll&, index_t>) {
+    using Given = std::remove_cvref_t<RowsOfAll>;
+    if constexpr (std::invocable<const Given&, index_t>) {
       connect(rows);
     } else {
       const DistributedSet& set = scene_.declared_set(&ranges);
       detail::SceneNames::require_rows(of, rows.size(), set.name, set.size);
-      connect([view = rows.const_view()](index_t object) {
+      // Views are of memory that a temporary would take along.
+      std::shared_ptr<const Given> kept;
+      if constexpr (!std::is_lvalue_reference_v<RowsOfAll>) kept = std::make_shared<Given>(std::move(rows));
+      connect([kept, view = kept ? kept->const_view() : rows.const_view()](index_t object) {
         std::vector<typename Entries::Value> row;
         view.for_each(object, [&](const auto& entry, bool /*active*/) { row.push_back(entry.get()); });
         return row;
@@ -112,7 +119,7 @@ class DistributedScene {
   /// Which objects of an array this rank has, and their local numbers.
   template <class Array>
   [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
-    return scene_.objects_of(&array);
+    return scene_.objects_of(array);
   }
 
  protected:

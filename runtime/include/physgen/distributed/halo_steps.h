@@ -49,10 +49,10 @@ class HaloSteps {
   /// stale, so that a step that reads them, which nothing here knows of, does not go unseen
   HaloSteps(Partition& arrays, bool poisons) : arrays_(arrays), poisons_(poisons) {}
 
-  /// Fetches what the step needs.
+  /// Fetches what the step needs. One step ends before the next one begins.
   /// @param size with which the program calls the kernel
   /// @throw Error when the kernel writes objects of others, when what it reads is not to be had, or when it is not
-  /// known over which set it runs
+  /// known over which set it runs, or when it is begun inside of another step
   [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, Way way);
   /// Waits for what begin() left crossing.
   void arrive();
@@ -87,8 +87,12 @@ class HaloSteps {
   [[nodiscard]] Step resolve(std::span<const Kernel> kernels, index_t size);
   [[nodiscard]] std::vector<Use> uses_of(std::span<const Kernel> kernels);
   [[nodiscard]] int set_of(const std::vector<Use>& uses, index_t size);
-  [[nodiscard]] int set_of_all_ranks(const std::vector<Use>& uses, index_t size, const std::string& kernels);
+  [[nodiscard]] int set_of_all_ranks(const std::vector<Use>& uses, index_t size, bool has_parts);
   [[nodiscard]] static std::string names_of(const std::vector<Use>& uses);
+  /// The set of the objects that a uniform array has one record of, or -1 of other arrays and sets.
+  [[nodiscard]] int set_of_uniform(const Use& use) const;
+  /// Of a step of what all ranks have. @throw Error when its size is none that all ranks have
+  void require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way) const;
   [[nodiscard]] bool may_write(const std::string& kernel, int view) const;
   /// Whether objects that an index field names are here, of all objects that the step may read it of.
   [[nodiscard]] bool reaches(const Step& step, const Partition::Naming& naming) const;
@@ -105,7 +109,8 @@ class HaloSteps {
   Partition& arrays_;
   bool poisons_;
   std::map<Key, Step> steps_;
-  const Step* current_ = nullptr;
+  const Step* current_ = nullptr;  ///< that was begun and is not ended
+  std::string current_name_;
   bool on_ghosts_ = false;
   /// What crosses, by peer.
   struct Exchange {

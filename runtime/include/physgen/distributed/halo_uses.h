@@ -19,7 +19,7 @@ namespace physgen {
 struct HaloAccess {
   bool reads_own = false;
   bool reads_others = false;
-  bool writes_own = false;
+  bool writes_own = false;     ///< of some objects at least, and some elements of the field
   bool writes_others = false;  ///< also by add()
 
   bool operator==(const HaloAccess&) const = default;
@@ -36,8 +36,8 @@ struct HaloUse {
   /// lambda cannot have any.)
   std::string_view kernel;
   /// The number of the view among the kernel's views. Members count in the order of their declaration: a View is one,
-  /// Rows are two (the ranges, then the entries), a member that is an aggregate counts with its own members at its
-  /// place, and all other members (numbers) do not count.
+  /// also one of a local of a fused kernel, Rows are two (the ranges, then the entries), a member that is an aggregate
+  /// counts with its own members at its place, and all other members (numbers) do not count.
   int view;
   std::string_view field;  ///< "x"; "svd.U" of a nested object, "points.x" of a fixed array of them
   HaloAccess access;

@@ -72,6 +72,10 @@ inline constexpr bool is_fused = false;
 template <class Locals, class... Step>
 inline constexpr bool is_fused<Fused<Locals, Step...>> = true;
 template <class T>
+inline constexpr bool is_local = false;
+template <class Object, class Real, class Formats, class Tag, class Layout>
+inline constexpr bool is_local<Local<Object, Real, Formats, Tag, Layout>> = true;
+template <class T>
 inline constexpr bool is_fixed_array = false;
 template <class T, std::size_t n>
 inline constexpr bool is_fixed_array<std::array<T, n>> = true;
@@ -131,6 +135,8 @@ void visit_member(const Member& member, const Visit& visit) {
   } else if constexpr (is_rows<Member>) {
     visit_member(member.ranges(), visit);
     visit_member(member.entries(), visit);
+  } else if constexpr (is_local<Member>) {
+    visit(KernelView{nullptr, 0, true, Member::Object::name});  // it has a number, as the views of stored arrays do
   } else if constexpr (is_fixed_array<Member>) {
     for (const auto& element : member) visit_member(element, visit);
   } else if constexpr (!OfNumbers<Member>) {

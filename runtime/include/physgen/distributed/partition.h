@@ -46,9 +46,10 @@ struct DistributedArray {
   const void* array;  ///< the caller's
   std::function<UntypedArray()> untyped;
   std::function<void(index_t)> resize;
-  UntypedArray memory;         ///< behind cut(), wherever a program moves or swaps its arrays to
-  std::vector<char> is_fresh;  ///< of each field: whether ghosts have their owners' values
-  std::vector<char> is_index;  ///< of each field: local numbers, which never cross
+  int uniform_of = -1;              ///< the set that has this one record for all of its objects
+  UntypedArray memory = {};         ///< behind cut(), wherever a program moves or swaps its arrays to
+  std::vector<char> is_fresh = {};  ///< of each field: whether ghosts have their owners' values
+  std::vector<char> is_index = {};  ///< of each field: local numbers, which never cross
 };
 
 /// The base of DistributedArrays, which has what users call.
@@ -113,8 +114,12 @@ class Partition {
                        std::function<void()> store);
   [[nodiscard]] int number_of(std::string_view set) const;
   [[nodiscard]] int number_of_array(const void* array) const;
-  [[nodiscard]] const LocalSet& set_of(const void* array) const;
-  void set_fresh(const void* array, bool is_fresh);
+  [[nodiscard]] const LocalSet& set_of(int array) const;
+  /// The number of an array by its memory, which it keeps behind cut() wherever a program moves or swaps it to; by its
+  /// address before, and where it has no memory.
+  /// @throw Error when it has memory of its own
+  [[nodiscard]] int number_by_memory(const void* array, const std::byte* base) const;
+  void set_fresh(int array, bool is_fresh);
   /// Whether all that an object names is here.
   [[nodiscard]] bool is_complete(int set, index_t local) const;
   /// Of a global number; -1 where it is not here. @throw Error when the set has no such object

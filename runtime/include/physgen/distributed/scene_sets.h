@@ -52,7 +52,10 @@ class SceneSets : public DistributedArrays {
       add_stored(name, set, contents_of(array), written_first);
     } else {
       // It holds no objects, or one record for all of them, and has as many as the others of its set.
-      if constexpr (requires { array.contents(); }) add(name, set_of_all(1), array.contents());
+      if constexpr (requires { array.contents(); }) {
+        add(name, set_of_all(1), array.contents());
+        arrays().back().uniform_of = number_of(set);
+      }
       sizes_.emplace_back([&array, of = std::string(set), this] { array.resize(this->set(of).size()); });
     }
   }
@@ -75,7 +78,6 @@ class SceneSets : public DistributedArrays {
   [[nodiscard]] const DistributedSet& declared_set(const void* array) const {
     return sets()[static_cast<std::size_t>(arrays()[static_cast<std::size_t>(number_of_array(array))].set)];
   }
-  [[nodiscard]] const LocalSet& objects_of(const void* array) const { return set_of(array); }
   /// @throw Error when an index field is not connected, and what DistributedArrays throws
   void cut() {
     scene_names_.require_all_connected();
@@ -97,11 +99,11 @@ class SceneSets : public DistributedArrays {
         for (const std::string_view field : fields) start_without_values(array.untyped(), {field});
       }
     };
-    Partition::add_array({name, number_of(set), &array, [&array] { return array.untyped(); }, resize, {}, {}, {}});
+    Partition::add_array({name, number_of(set), &array, [&array] { return array.untyped(); }, resize});
   }
   /// Each rank counts the entries of the rows that it owns.
   [[nodiscard]] index_t entries_of_all(const SceneNames::RowsOfScene& rows) const {
-    const LocalSet& objects = set_of(rows.ranges);
+    const LocalSet& objects = set_of(number_of_array(rows.ranges));
     const UntypedArray& ranges = arrays()[static_cast<std::size_t>(number_of_array(rows.ranges))].memory;
     index_t mine = 0;
     for (index_t i = objects.begin(); i < objects.end(); ++i) {

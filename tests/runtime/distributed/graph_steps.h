@@ -1,0 +1,65 @@
+// Kernels of graphs that write some objects alone, that ask own rows for no more than their lengths, and that follow
+// another one in a fused kernel.
+#pragma once
+
+#include <physgen/fuse.h>
+
+#include "graphs.h"
+
+namespace graphs {
+
+template <class PositionView, class ForceView>
+struct Clear {
+  using Scalar = typename ForceView::Precision;
+  PositionView positions;
+  ForceView forces;
+  void operator()(index_t i) const {
+    using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
+    if (positions[i].x()[0] < 0) forces[i].f() = Vector(Vector::Zero());
+  }
+};
+template <class... V>
+Clear(V...) -> Clear<V...>;
+
+template <class Rows, class PositionView>
+struct Degree {
+  using Scalar = typename PositionView::Precision;
+  Rows ends;
+  PositionView positions;
+  void operator()(index_t i) const {
+    const Scalar degree = static_cast<Scalar>(ends.size(i));
+    positions[i].x() = (positions[i].x().get() * degree * Scalar(0.0625F)).eval();
+  }
+};
+template <class... V>
+Degree(V...) -> Degree<V...>;
+
+/// The first step of a fused kernel. @tparam PullView a local, which has a number among the views, and no memory
+template <class ForceView, class PullView>
+struct Quarter {
+  using Scalar = typename ForceView::Precision;
+  ForceView forces;
+  PullView pulls;
+  template <class I>
+  void operator()(const I& i) const {
+    pulls[i].f() = (forces[i].f().get() * Scalar(0.25F)).eval();
+  }
+};
+template <class... V>
+Quarter(V...) -> Quarter<V...>;
+
+/// The second.
+template <class PullView, class PositionView>
+struct Push {
+  using Scalar = typename PositionView::Precision;
+  PullView pulls;
+  PositionView positions;
+  template <class I>
+  void operator()(const I& i) const {
+    positions[i].x() = (positions[i].x().get() * Scalar(0.5F) + pulls[i].f().get()).eval();
+  }
+};
+template <class... V>
+Push(V...) -> Push<V...>;
+
+}  // namespace graphs
