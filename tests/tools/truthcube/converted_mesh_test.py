@@ -205,6 +205,10 @@ def meshes_that_cannot_be_converted_are_refused_with_their_line():
     refused(tet + "*NSET, NSET=a\n1, 9\n", "line 9: *NSET: the set a names 9, which the file does not have")
     refused(tet + "*ELSET, ELSET=a\nb\n", "line 9: *ELSET: there is no ELSET 'b' above this line")
     refused(tet + "*SURFACE, NAME=a\nall, S5\n", "line 9: *SURFACE: 'all, S5' names no side of a tet; write S1, S2, S3 or S4")
+    triangle = tet + "*ELEMENT, TYPE=S3, ELSET=s\n2, 1, 2, 3\n*ELEMENT, TYPE=B31, ELSET=b\n3, 1, 2\n*SURFACE, NAME=a\n"
+    for row in ("s, E1", "s, S1", "b, SPOS"):  # an edge, an edge of a plane element, and a line
+        refused(triangle + row + "\n", f"line 13: *SURFACE: '{row}' names no face; write SPOS or SNEG of triangles")
+    refused(tet + "*IMPERFECTION, INPUT=shape\n", "line 8: *IMPERFECTION is not read; write the mesh flat")
     refused(tet + "*INCLUDE, INPUT=more.inp\n", "line 8: *INCLUDE is not read; write the mesh flat")
     refused(tet + "*NODE\n4, 0, 0, 2\n", "line 9: *NODE: 4 stands twice; write the mesh flat, without parts")
     refused(tet.replace("3, 4\n", "3, 5\n"), "element 1 names node 5, which the file does not have")

@@ -17,7 +17,7 @@ CORNERS = {"C3D4": 4, "C3D4H": 4, "C3D4T": 4, "T3D2": 2, "B31": 2} | dict.fromke
 PARAMETERS = {"NODE": {"NSET", "SYSTEM"}, "ELEMENT": {"TYPE", "ELSET"}, "SURFACE": {"NAME", "TYPE", "INTERNAL"},
               "NSET": {"NSET", "ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"},
               "ELSET": {"ELSET", "GENERATE", "INSTANCE", "INTERNAL", "UNSORTED"}, "INSTANCE": {"NAME", "PART"}}
-UNREAD = ("INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")
+UNREAD = ("INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "IMPERFECTION", "SYMMETRIC MODEL GENERATION")
 GMSH_TYPE = {1: 15, 2: 1, 3: 2, 4: 4}  # of points, lines, triangles, tets by their corners
 MOST_VALUES = 100  # of an array that makes groups; one of more values numbers things
 
@@ -181,8 +181,9 @@ class AbaqusMesh:
             numbers = self.members("ELSET", [row[:1]], False)
             self.require(numbers, self.elements, f"the surface {name} names")
             for corners in (self.elements[n] for n in numbers):
-                if len(corners) == 4 and side not in SIDES:
-                    raise Refused(f"{self.where}: '{', '.join(row)}' names no side of a tet; write S1, S2, S3 or S4")
+                if side not in (SIDES if len(corners) == 4 else ("", "SPOS", "SNEG") if len(corners) == 3 else ()):
+                    faces = "side of a tet; write S1, S2, S3 or S4" if len(corners) == 4 else "face; write SPOS or SNEG of triangles"
+                    raise Refused(f"{self.where}: '{', '.join(row)}' names no {faces}")
                 self.group("SURFACE", name, [(0, [corners[c] for c in SIDES[side]] if len(corners) == 4 else corners)])
 
     def members(self, kind, rows, generate):
@@ -211,8 +212,7 @@ def read_other(path):
         raise Refused(f"{path}: meshio reads this format, and is not here ({error}); install python3-meshio") from error
     except (Exception, SystemExit) as error:  # pylint: disable=broad-except
         raise Refused(f"{path}: meshio does not read it: {error}; save it as .vtu, .inp or .msh") from error
-    kinds = {"vertex": 1, "line": 2, "triangle": 3, "tetra": 4}
-    others = [f"{len(block.data)} {block.type}" for block in mesh.cells if block.type not in kinds]
+    others = [f"{len(block.data)} {block.type}" for block in mesh.cells if block.type not in ("vertex", "line", "triangle", "tetra")]
     if others:
         raise Refused(f"{path}: only linear tets, with triangles, lines and points, are read, and there are "
                       + ", ".join(others) + "; mesh the body with linear tets alone")
