@@ -164,16 +164,14 @@ TEST_F(SceneCommand, writes_the_same_from_a_precompiled_header_and_refuses_one_t
   EXPECT_EQ(over.status, 2);
   EXPECT_EQ(over.err,
             "physgen: error: cannot write 'own/physgen/probe.h': it is there, and is no precompiled header; remove it, "
-            "or name "
-            "another file\n");
+            "or name another file\n");
   folder.write("other.device", "of the user\n");
   const auto beside = run("precompile -o other --device" + flags);
   EXPECT_EQ(beside.status, 2);
   EXPECT_EQ(
       beside.err,
       "physgen: error: cannot write 'other.device': it is there, and is no precompiled header; remove it, or name "
-      "another "
-      "file\n");
+      "another file\n");
   EXPECT_EQ(text_of(folder / "other.device"), "of the user\n");
 }
 
