@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "emit/emitter.h"
+#include "exit_status.h"
 #include "files.h"
 #include "frontend/frontend.h"
 #include "layout_boxes.h"
@@ -28,8 +29,6 @@
 
 namespace physgen::command {
 namespace {
-
-constexpr int done = 0, schema_errors = 1, wrong_use = 2;
 
 struct Arguments {
   std::vector<std::string> schemas;
@@ -110,7 +109,7 @@ int generate(const Arguments& arguments, const Streams& streams) {
   require_different_headers(arguments);
   if (arguments.layout_of_all) (void)read_layout(*arguments.layout_of_all, model::Space::host);
   auto parsed = parse_all(arguments, streams.err);
-  if (!parsed) return schema_errors;
+  if (!parsed) return errors;
   if (arguments.layout_of_all)
     for (model::Schema& schema : parsed->schemas) set_layouts(schema, *arguments.layout_of_all);
   std::vector<File> files;
@@ -127,7 +126,7 @@ int generate(const Arguments& arguments, const Streams& streams) {
 
 int check(const Arguments& arguments, const Streams& streams) {
   const auto parsed = parse_all(arguments, streams.err);
-  if (!parsed) return schema_errors;
+  if (!parsed) return errors;
   for (const model::Schema& schema : parsed->schemas) {
     std::size_t fields = 0;
     for (const model::Object& object : schema.objects) fields += object.fields.size();
@@ -138,7 +137,7 @@ int check(const Arguments& arguments, const Streams& streams) {
 
 int print_model(const Arguments& arguments, const Streams& streams) {
   const auto parsed = parse_all(arguments, streams.err);
-  if (!parsed) return schema_errors;
+  if (!parsed) return errors;
   streams.out << model::to_json(parsed->schemas.front());
   return done;
 }
@@ -150,7 +149,7 @@ int print_layout(const Arguments& arguments, const Streams& streams) {
         "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources");
   if (!arguments.drawing.empty() && !arguments.json) throw UsageError("-o is the file of the JSON; add --json");
   const auto parsed = parse_all(arguments, streams.err);
-  if (!parsed) return schema_errors;
+  if (!parsed) return errors;
   const auto maps = layout_maps(parsed->schemas.front(), arguments.layout);
   const std::string drawing = arguments.json ? layout_json(maps) : layout_text(maps);
   if (arguments.drawing.empty())

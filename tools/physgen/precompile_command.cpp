@@ -7,13 +7,12 @@
 #include <ostream>
 #include <string_view>
 
+#include "exit_status.h"
 #include "files.h"
 #include "usage/analyse.h"
 
 namespace physgen::command {
 namespace {
-
-constexpr int done = 0, errors = 1;
 
 /// Clang writes where it is told, be it over a header that it reads.
 void require_own(const std::string& file) {

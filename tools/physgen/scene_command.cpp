@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 
+#include "exit_status.h"
 #include "files.h"
 #include "precompile_command.h"
 #include "scenes/analysis.h"
@@ -26,8 +27,6 @@
 
 namespace physgen::command {
 namespace {
-
-constexpr int done = 0, errors = 1;
 
 class SceneCommand {
  public:

@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 
+#include "exit_status.h"
 #include "files.h"
 #include "scenes/analysis.h"
 #include "scenes/read.h"
@@ -19,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::physgen::usage::Side;
-
-constexpr int done = 0, errors = 1;
 
 /// One program that is analysed: that of a file, or that of a scene.
 struct Unit {
