@@ -64,6 +64,12 @@ macro(physgen_use_arch arch)
   endif()
 endmacro()
 
+# CUDA sources that are added after this call, in the calling folder and below: nvcc's -O is that of the host's code, which
+# launches kernels there and computes little. The device's code stays as it is.
+macro(physgen_optimize_cuda_host_less)
+  string(REPLACE "-O3" "-O1" CMAKE_CUDA_FLAGS_RELEASE "${CMAKE_CUDA_FLAGS_RELEASE}")
+endmacro()
+
 # physgen_precompile(target <header>...) or physgen_precompile(target REUSE_FROM other)
 # Compiles headers once for all C++ sources of `target`, or takes those of another with the same options, whose definitions
 # `target` has as well. Sources with options of their own do without: GCC takes headers that were compiled at another -O,
