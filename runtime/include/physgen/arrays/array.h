@@ -2,6 +2,7 @@
 #pragma once
 
 #include <physgen/arrays/array_losses.h>
+#include <physgen/arrays/array_memory.h>
 #include <physgen/arrays/copy.h>
 #include <physgen/arrays/initial_values.h>
 #include <physgen/arrays/object_iterator.h>
@@ -14,7 +15,6 @@
 #include <physgen/memory/buffer.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace physgen {
 
@@ -25,7 +25,7 @@ namespace physgen {
 /// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
 template <class Object_, class Real, class Space_, class Layout_, class Formats_>
-class Array {
+class Array : private detail::ArrayMemory {
  public:
   using Object = Object_;
   using Precision = Real;
@@ -49,7 +49,7 @@ class Array {
   explicit Array(index_t size) { resize(size); }
   /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
   /// synchronize())
-  Array(const Array& other) : Array(other.size_) { copy_range(untyped(), other.untyped(), 0, size_); }
+  Array(const Array& other) : ArrayMemory() { copy_of(kind, other); }
   Array(Array&& other) noexcept { swap(other); }
   Array& operator=(Array other) noexcept {
     swap(other);
@@ -85,16 +85,7 @@ class Array {
   [[nodiscard]] auto end() const { return ObjectIterator(host_view(), size_); }
 
   /// The array without its types, for copy().
-  [[nodiscard]] UntypedArray untyped() const {
-    return {buffer_.data(),
-            size_,
-            Layout::padded(capacity_),
-            pitch(),
-            record_bytes,
-            Space::kind,
-            Object::name,
-            Object::template fields<Real, Formats>};
-  }
+  [[nodiscard]] UntypedArray untyped() const { return ArrayMemory::untyped(kind); }
 
   /// Counts of the values that formats could not hold when kernels stored here, since this was last called; all zero in
   /// builds that are not checked. On CUDA it waits for the device. See throw_if_falsified().
@@ -107,23 +98,16 @@ class Array {
   /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done
   /// (see synchronize())
   /// @throw Error as the constructor does; the array is then unchanged
-  void resize(index_t size) {
-    if (size == size_) return;
-    if (size < 0 || size > capacity_) return replace(size, size);
-    const index_t changed = std::min(size, size_), end = Layout::padded(size);  // packs run over padding, too
-    reset(untyped(), changed, std::clamp(used_, changed, end));
-    used_ = std::max(used_, end);
-    set_size(size);
-  }
+  void resize(index_t size) { ArrayMemory::resize(kind, size); }
 
   /// Gets memory for `capacity` objects or more, so that the array has as many before it needs other memory.
   /// @throw Error as the constructor does; the array is then unchanged
   void reserve(index_t capacity) {
-    if (capacity > capacity_) replace(capacity, size_);
+    if (capacity > capacity_) replace(kind, capacity, size_);
   }
   /// Gives back the memory that no object needs.
   void shrink_to_fit() {
-    if (capacity_ > size_) replace(size_, size_);
+    if (capacity_ > size_) replace(kind, size_, size_);
   }
 
   /// Adds one object at the end, on the host; in pinned memory it waits for the default stream. Where there is no
@@ -140,14 +124,12 @@ class Array {
     } else if (end > Layout::padded(size_)) {
       reset(untyped(), size_, end);
     }
-    set_size(size_ + 1);
+    set_size(kind, size_ + 1);
     host_view().put(size_ - 1, value);
   }
 
   /// In checked builds, takes the counts of an array whose place this one will take, and leaves that one's as they are.
-  void inherit_losses(const Array& old) {
-    if (checked_build && size_ > 0) start_losses(*losses(), old.losses(), size_, Space::kind);
-  }
+  void inherit_losses(const Array& old) { ArrayMemory::inherit_losses(kind, old); }
 
   /// Element k (in the order of the fields) of object i, through one interface for all types and spaces: for setting
   /// up, looking and testing; kernels use views. On CUDA each call is a transfer.
@@ -155,29 +137,13 @@ class Array {
   [[nodiscard]] double getdata(index_t i, int k) const { return physgen::getdata(untyped(), i, k); }
   void putdata(index_t i, int k, double value) { physgen::putdata(untyped(), i, k, value); }
 
-  void swap(Array& other) noexcept {
-    buffer_.swap(other.buffer_);
-    std::swap(size_, other.size_);
-    std::swap(capacity_, other.capacity_);
-    std::swap(used_, other.used_);
-  }
+  void swap(Array& other) noexcept { ArrayMemory::swap(other); }
 
  private:
-  [[nodiscard]] static index_t checked_bytes(index_t size) {
-    constexpr index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes, 1) / 4;  // room for padding
-    if (size < 0 || size > limit) {
-      throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
-                  std::to_string(record_bytes) + " bytes cannot exist; give a size from 0 to " + std::to_string(limit));
-    }
-    return Layout::padded(size) * record_bytes;
-  }
+  static constexpr detail::MemoryKind kind{Space::kind,    record_bytes, &Layout::padded,
+                                           &Layout::pitch, Object::name, Object::template fields<Real, Formats>};
 
-  // In checked builds the counters stand behind the objects, in the same space.
-  static constexpr index_t loss_bytes = checked_build ? index_t{sizeof(Losses)} : 0;
-  [[nodiscard]] Losses* losses() const {
-    if (!checked_build || size_ == 0) return nullptr;
-    return reinterpret_cast<Losses*>(buffer_.data() + Layout::padded(capacity_) * record_bytes);
-  }
+  [[nodiscard]] Losses* losses() const { return ArrayMemory::losses(kind); }
 
   template <class Self>
   [[nodiscard]] static auto host_view_of(Self& self) {
@@ -188,32 +154,6 @@ class Array {
   }
   [[nodiscard]] auto host_view() { return host_view_of(*this); }
   [[nodiscard]] auto host_view() const { return host_view_of(*this); }
-
-  void set_size(index_t size) {
-    const Losses* old = losses();
-    size_ = size;
-    if (checked_build && size > 0) start_losses(*losses(), old, size, Space::kind);
-  }
-
-  // Moves to memory of another capacity, as an array of `size` objects.
-  void replace(index_t capacity, index_t size) {
-    Array other;
-    other.buffer_ = Buffer(Space::kind, checked_bytes(capacity) + (capacity > 0 ? loss_bytes : 0),
-                           std::string(Object::name) + "[" + std::to_string(capacity) + "]");
-    other.capacity_ = capacity;
-    other.size_ = size;
-    const index_t kept = std::min(size, size_);
-    copy_range(other.untyped(), untyped(), 0, kept);
-    initialize(other.untyped(), kept, Layout::padded(capacity));
-    other.used_ = std::clamp(used_, Layout::padded(size), Layout::padded(capacity));  // copies may take padding along
-    other.inherit_losses(*this);
-    swap(other);
-  }
-
-  Buffer buffer_;
-  index_t size_ = 0;
-  index_t capacity_ = 0;
-  index_t used_ = 0;  // objects from here to the end of the memory have initial values
 };
 
 namespace detail {
