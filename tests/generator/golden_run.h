@@ -74,30 +74,27 @@ class Walk {
     next_ += 1;
   }
 
-  /// A field of more elements with this structure; `stored` of them are stored.
+  /// A field of more elements with this structure; `stored` of them are stored. What depends on no accessor is apart,
+  /// since accessors are of many types.
   template <class Structure, class Accessor, class Matrix>
   void many(Structure, const Accessor& accessor, Matrix& member, int stored) {
-    using T = typename Matrix::Scalar;
-    Matrix expected;
-    for (int c = 0; c < expected.cols(); ++c) {
-      for (int r = 0; r < expected.rows(); ++r) {
-        expected(r, c) = numbers<T>(Structure::element(r, c, static_cast<int>(expected.rows())));
-      }
-    }
+    const Matrix expected = matrix_of<Structure, Matrix>();
     if constexpr (action == Action::write_accessors) accessor = expected;
     if constexpr (action == Action::fill_value) member = expected;
     if constexpr (action == Action::check) {
+      const auto rows = static_cast<int>(expected.rows());
       const Matrix read = Accessor(accessor);
+      Matrix by_element = expected;
       for (int c = 0; c < expected.cols(); ++c) {
-        for (int r = 0; r < expected.rows(); ++r) {
-          expect_equal(read(r, c), expected(r, c));
-          expect_equal(member(r, c), expected(r, c));
-          if (Structure::element(r, c, static_cast<int>(expected.rows())) > 0 &&
-              (r >= c || stored == expected.size())) {
-            expect_equal(static_cast<T>(accessor(r, c)), expected(r, c));
+        for (int r = 0; r < rows; ++r) {
+          if (Structure::element(r, c, rows) > 0 && (r >= c || stored == expected.size())) {
+            by_element(r, c) = static_cast<typename Matrix::Scalar>(accessor(r, c));
           }
         }
       }
+      expect_equal_elements(read, expected);
+      expect_equal_elements(member, expected);
+      expect_equal_elements(by_element, expected);
     }
     next_ += stored;
   }
@@ -120,6 +117,22 @@ class Walk {
       return lanes[0];
     } else {
       return T::load_aligned(lanes.data());
+    }
+  }
+  template <class Structure, class Matrix>
+  [[nodiscard]] Matrix matrix_of() const {
+    Matrix numbered;
+    for (int c = 0; c < numbered.cols(); ++c) {
+      for (int r = 0; r < numbered.rows(); ++r) {
+        numbered(r, c) = numbers<typename Matrix::Scalar>(Structure::element(r, c, static_cast<int>(numbered.rows())));
+      }
+    }
+    return numbered;
+  }
+  template <class Matrix>
+  static void expect_equal_elements(const Matrix& a, const Matrix& b) {
+    for (int c = 0; c < a.cols(); ++c) {
+      for (int r = 0; r < a.rows(); ++r) expect_equal(a(r, c), b(r, c));
     }
   }
   template <class T>

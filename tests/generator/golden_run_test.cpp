@@ -1,5 +1,6 @@
 // The headers in golden/, compiled and run: every field of every object is written through accessors and through
-// values, in every layout and precision, one object at a time and in SIMD packs, and read back by every way there is.
+// values, in every layout and in both precisions, one object at a time and in SIMD packs, and read back by every way
+// there is.
 #include "golden_run.h"
 
 #include <gtest/gtest.h>
@@ -188,21 +189,24 @@ using Objects = testing::Types<material::LameObject, material::FibreObject, tiss
                                tissue::model::OptionsObject, tissue::model::ElementObject, tissue::other::PatchObject>;
 TYPED_TEST_SUITE(GoldenRun, Objects);
 
-template <class Object, class Real>
-void round_trips_in_all_layouts() {
-  round_trips<Object, Real, Aos>();
-  round_trips<Object, Real, AosPadded>();
-  round_trips<Object, Real, Soa>();
-  round_trips<Object, Real, Aosoa<8>>();
-  round_trips<Object, Real, Aosoa<32>>();
+template <class Object, class... All>
+constexpr int place_in(testing::Types<All...> /*list*/) {
+  int place = 0, k = 0;
+  ((place = std::is_same_v<Object, All> ? k : place, ++k), ...);
+  return place;
 }
 
-TYPED_TEST(GoldenRun, every_field_keeps_its_value_in_every_layout_in_float) {
-  round_trips_in_all_layouts<TypeParam, float>();
-}
-
-TYPED_TEST(GoldenRun, every_field_keeps_its_value_in_every_layout_in_double) {
-  round_trips_in_all_layouts<TypeParam, double>();
+// By turns in float and double, so that each two of an object, a layout and a precision meet: where an element lies is
+// said by the object's record in a precision, and by the layout for any record.
+TYPED_TEST(GoldenRun, every_field_keeps_its_value_in_every_layout) {
+  constexpr bool even = place_in<TypeParam>(Objects()) % 2 == 0;
+  using First = std::conditional_t<even, float, double>;
+  using Second = std::conditional_t<even, double, float>;
+  round_trips<TypeParam, First, Aos>();
+  round_trips<TypeParam, Second, AosPadded>();
+  round_trips<TypeParam, First, Soa>();
+  round_trips<TypeParam, Second, Aosoa<8>>();
+  round_trips<TypeParam, First, Aosoa<32>>();
 }
 
 TYPED_TEST(GoldenRun, fields_have_different_names) {
