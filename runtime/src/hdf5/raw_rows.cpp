@@ -76,12 +76,6 @@ void RawRows::read_ahead(hsize_t first_row, hsize_t rows) const {
       ::posix_fadvise(descriptor_, place_of(first_row), static_cast<off_t>(there * bytes_of_row_), POSIX_FADV_WILLNEED);
 }
 
-void RawRows::write_behind(hsize_t first_row, hsize_t rows) const {
-  if (begin_ == HADDR_UNDEF) return;
-  [[maybe_unused]] const int ignored = ::sync_file_range(
-      descriptor_, place_of(first_row), static_cast<off_t>(rows * bytes_of_row_), SYNC_FILE_RANGE_WRITE);
-}
-
 void RawRows::read_pieces(hsize_t first_row, hsize_t rows, void* values) const {
   static std::mutex library;
   const std::lock_guard lock(library);

@@ -26,8 +26,6 @@ class RawRows {
   /// Tells the system that these rows, or those of them that there are, are read soon, so that the disk is at work
   /// while the program is.
   void read_ahead(hsize_t first_row, hsize_t rows) const;
-  /// Tells the system to begin to write these rows to the disk, which is then at work while the program is.
-  void write_behind(hsize_t first_row, hsize_t rows) const;
   [[nodiscard]] std::size_t bytes_of_row() const { return bytes_of_row_; }
 
  private:

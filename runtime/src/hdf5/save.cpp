@@ -86,14 +86,8 @@ void write_array(h5::File& file, const std::string& name, const UntypedArray& ar
   for (const Written& field : written) widest = std::max(widest, field.bytes_of_row());
   std::vector<h5::Checksum> checksums(static_cast<std::size_t>(blocks) * written.size());
   const std::string what = "a block of " + name;
-  constexpr index_t blocks_behind = 64;
   files::for_blocks(blocks, std::min(rows, array.size) * widest, what, [&](index_t b, std::byte* memory) {
     const index_t begin = b * rows, end = std::min(begin + rows, array.size);
-    if (b > 0 && b % blocks_behind == 0) {
-      for (const Written& field : written)
-        field.rows.write_behind(static_cast<hsize_t>(begin - blocks_behind * rows),
-                                static_cast<hsize_t>(blocks_behind * rows));
-    }
     for (std::size_t f = 0; f < written.size(); ++f) {
       const index_t bytes = written[f].bytes_of_row();
       const UntypedArray part{memory,          end - begin,  end - begin,      1, static_cast<int>(bytes),
