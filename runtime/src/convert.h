@@ -98,11 +98,14 @@ struct Fill {
   }
   /// Whether it would write what cleared memory holds.
   [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
+  /// Element k, as it is stored.
+  [[nodiscard]] PHYSGEN_FUNCTION std::uint64_t bits(int k) const {
+    return rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0) ? one : value;  // w, or the diagonal
+  }
   PHYSGEN_FUNCTION void apply(const Addressing& array, index_t i) const {
     for (int k = 0; k < count; ++k) {
-      const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
-      const std::uint64_t bits = is_one ? one : value;
-      move_bits(array.address(i, offset + k * size, size), reinterpret_cast<const std::byte*>(&bits), size);
+      const std::uint64_t element = bits(k);
+      move_bits(array.address(i, offset + k * size, size), reinterpret_cast<const std::byte*>(&element), size);
     }
   }
 };

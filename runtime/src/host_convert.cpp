@@ -6,31 +6,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "convert.h"
 #include "plain_copy.h"
+#include "strided.h"
 
 namespace physgen::detail {
 
 namespace {
-
-/// Elements of consecutive objects, `stride` bytes apart.
-struct StridedElements {
-  std::byte* first;
-  index_t stride;
-};
-
-StridedElements strided(const Addressing& array, index_t i, int offset, int size) {
-  return {array.address(i, offset, size), array.records() ? array.record_bytes : size};
-}
-
-/// Objects from i on whose elements are evenly spaced.
-index_t evenly_spaced(const Addressing& array, index_t i) {
-  if (array.records() || array.shift == 63) return std::numeric_limits<index_t>::max();
-  return array.pitch - array.lane(i);
-}
 
 template <class To, class From, class Convert>
 void convert_strided(StridedElements to, StridedElements from, index_t count, const Convert& convert) {
@@ -86,6 +70,22 @@ void add_to_runs(std::vector<BytesMove>& runs, const ElementMove& move) {
   } else {
     runs.push_back({move.to_offset, move.from_offset, size});
   }
+}
+
+/// Moves runs of kBytes, where these are `bytes`: a call of memcpy() for each record takes longer than its loads and
+/// stores.
+template <std::size_t kBytes>
+bool move_runs_of(std::size_t bytes, StridedElements to, StridedElements from, index_t count) {
+  if (bytes != kBytes) return false;
+  for (index_t l = 0; l < count; ++l) std::memcpy(to.first + l * to.stride, from.first + l * from.stride, kBytes);
+  return true;
+}
+
+/// Numbers of bytes that runs often have, of numbers, vectors, symmetric and full matrices, are known to the compiler.
+template <std::size_t... kBytes>
+void move_runs(std::size_t bytes, StridedElements to, StridedElements from, index_t count) {
+  if ((move_runs_of<kBytes>(bytes, to, from, count) || ...)) return;
+  for (index_t l = 0; l < count; ++l) std::memcpy(to.first + l * to.stride, from.first + l * from.stride, bytes);
 }
 
 void convert_strided(const SizedMove& sized, StridedElements to, StridedElements from, index_t count) {
@@ -151,10 +151,9 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
         continue;
       }
       for (const BytesMove& run : runs) {
-        for (index_t l = i; l < i + count; ++l) {
-          std::memcpy(to_array.address(l, run.to_offset, 1), from_array.address(l, run.from_offset, 1),
-                      static_cast<std::size_t>(run.bytes));
-        }
+        move_runs<2, 4, 8, 12, 16, 24, 32, 36, 48, 72>(static_cast<std::size_t>(run.bytes),
+                                                       strided(to_array, i, run.to_offset, run.bytes),
+                                                       strided(from_array, i, run.from_offset, run.bytes), count);
       }
       for (const SizedMove& sized : elements) {
         convert_strided(sized, strided(to_array, i, sized.move.to_offset, sized.to_size),

@@ -184,6 +184,21 @@ TEST(SavedArrays, that_do_not_fit_are_refused_with_names_and_sizes) {
             std::string::npos);
 }
 
+TEST(SavedArrays, with_a_value_that_a_format_cannot_hold_are_refused_with_field_and_object_in_checked_programs) {
+  const Folder folder;
+  Derivatives saved(30000);  // several blocks
+  for (const index_t i : {29999, 29000}) saved.putdata(i, 0, 1e6);
+  save(folder / "a.h5", {{"a", saved}});
+  Array<StressDerivativeObject, float, Host, Aos, MixedDerivative> array(30000);
+  array.putdata(29000, 0, 3);
+  const Records before = records_of(array.untyped());
+  const detail::ArrayOfFile read(folder / "a.h5", "a", array.untyped(), {});
+  const std::string message = message_of([&] { read.give(array.untyped(), detail::Target::in_use, true); });
+  EXPECT_NE(message.find("cannot hold 2 values (2 out of range"), std::string::npos) << message;
+  EXPECT_NE(message.find("the first is 1e+06 Pa in x1111 of object 29000"), std::string::npos) << message;
+  expect_records(array.untyped(), before, "a load that is refused");
+}
+
 TEST(SavedArrays, need_names_of_their_own) {
   const Folder folder;
   const Derivatives a = derivatives(3);

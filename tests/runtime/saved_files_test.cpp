@@ -54,6 +54,45 @@ class SavedFile : public ::testing::Test {
   std::string bytes_;
 };
 
+/// Stores a dataset of floats anew, in chunks of 5 rows, as programs do that pack files; all that is noted of it stays.
+void cut_into_chunks(const std::filesystem::path& path, const std::string& dataset) {
+  const h5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const h5::Handle old(H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  const h5::Handle type(H5Dget_type(old.id()), H5Tclose), space(H5Dget_space(old.id()), H5Sclose);
+  const h5::Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  hsize_t shape[2];
+  ASSERT_EQ(H5Sget_simple_extent_dims(space.id(), shape, nullptr), 2);
+  std::vector<float> values(shape[0] * shape[1]);
+  ASSERT_GE(H5Dread(old.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  shape[0] = 5;
+  ASSERT_GE(H5Pset_chunk(properties.id(), 2, shape), 0);
+  const h5::Handle made(H5Dcreate2(file.id(), "/new", type.id(), space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                        H5Dclose);
+  ASSERT_GE(H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  for (hsize_t k = 0; k < static_cast<hsize_t>(H5Aget_num_attrs(old.id())); ++k) {
+    const h5::Handle noted(H5Aopen_by_idx(old.id(), ".", H5_INDEX_NAME, H5_ITER_INC, k, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose);
+    const h5::Handle of_it(H5Aget_type(noted.id()), H5Tclose), size(H5Aget_space(noted.id()), H5Sclose);
+    char name[100], bytes[1000];
+    ASSERT_GT(H5Aget_name(noted.id(), sizeof name, name), 0);
+    ASSERT_GE(H5Aread(noted.id(), of_it.id(), bytes), 0);
+    const h5::Handle copy(H5Acreate2(made.id(), name, of_it.id(), size.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    ASSERT_GE(H5Awrite(copy.id(), of_it.id(), bytes), 0);
+  }
+  ASSERT_GE(H5Ldelete(file.id(), dataset.c_str(), H5P_DEFAULT), 0);
+  ASSERT_GE(H5Lmove(file.id(), "/new", file.id(), dataset.c_str(), H5P_DEFAULT, H5P_DEFAULT), 0);
+}
+
+TEST_F(SavedFile, whose_datasets_another_program_has_cut_into_chunks_is_loaded_and_its_damage_found) {
+  cut_into_chunks(file_, "/svd/s");
+  EXPECT_EQ(refusal(), "");
+  bytes_ = bytes_of_file(file_);
+  const float element = saved_.view()[3].s()[1];
+  const std::size_t at = bytes_.rfind(std::string(reinterpret_cast<const char*>(&element), sizeof element));
+  bytes_[at] = static_cast<char>(bytes_[at] ^ 1);  // the last of the two: the old dataset may still lie in the file
+  write_file(file_, bytes_);
+  expect_refusal("'svd' /svd/s is damaged");
+}
 TEST_F(SavedFile, with_any_wrong_bit_is_refused_or_gives_what_was_saved) {
   std::size_t refused = 0;
   for (std::size_t at = seed() % 3; at < bytes_.size(); at += 3) {

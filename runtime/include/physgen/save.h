@@ -11,8 +11,9 @@
 namespace physgen {
 
 /// Loads the objects of an array by name; the array gets as many as the file has, and its views end where that changes
-/// the number. Fields are matched by name, and converted where formats differ. Fields that the file lacks keep their
-/// values; new objects have initial ones. Arrays in Cuda memory are loaded by way of the host, in the default stream.
+/// the number; for the time of the call there are then two such arrays. Fields are matched by name, and converted where
+/// formats differ. Fields that the file lacks keep their values; new objects have initial ones. Arrays in Cuda memory
+/// are loaded by way of the host, in the default stream.
 /// @param fields to load; all that both have where there are none
 /// @throw Error when the file is none of save()'s, newer than this library, truncated or damaged; when it has no such
 /// array or field, or they do not fit: another type of object, other numbers of elements, other units, integers in the
@@ -22,11 +23,11 @@ Loaded load(const std::filesystem::path& file, const std::string& name,
             Array<Object, Real, Space, Layout, Formats>& array, std::span<const std::string> fields = {}) {
   const detail::ArrayOfFile read(file, name, array.untyped(), fields);
   if (read.loaded().objects == array.size()) {
-    read.give(array.untyped(), checked_build);
+    read.give(array.untyped(), detail::Target::in_use, checked_build);
   } else {
     auto other = array;
     other.resize(read.loaded().objects);
-    read.give(other.untyped(), checked_build);
+    read.give(other.untyped(), detail::Target::spare, checked_build);
     array.swap(other);
   }
   return read.loaded();

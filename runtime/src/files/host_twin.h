@@ -18,6 +18,7 @@ class HostTwin {
     array_.space = SpaceKind::host;
   }
   [[nodiscard]] const UntypedArray& array() const { return array_; }
+  [[nodiscard]] bool is_copy() const { return memory_.data() != nullptr; }
   /// Gives `original`, which this is the twin of, all that the twin holds.
   void copy_back(const UntypedArray& original) const {
     if (!host_accessible(original.space))

@@ -13,12 +13,15 @@ namespace physgen::h5 {
 /// The checksum of bytes that are added in order; a last word is filled with zeros.
 class Checksum {
  public:
-  /// @pre all that was added before were whole words
-  void add(std::span<const std::byte> bytes);
+  Checksum() = default;
+  explicit Checksum(std::span<const std::byte> bytes);
+  /// Adds what follows. @pre all that was added before were whole words
+  void append(const Checksum& next);
   [[nodiscard]] const std::array<std::uint64_t, 2>& value() const { return sums_; }
 
  private:
   std::array<std::uint64_t, 2> sums_{};
+  std::uint64_t words_ = 0;
 };
 
 }  // namespace physgen::h5

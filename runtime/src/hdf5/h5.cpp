@@ -112,6 +112,12 @@ std::vector<std::string> File::names_in(const std::string& group) const {
   return names;
 }
 
+int File::descriptor() const {
+  void* handle = nullptr;
+  require(H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, &handle) >= 0, "find the file of the system");
+  return *static_cast<const int*>(handle);
+}
+
 Handle File::open_object(const std::string& name) const {
   return hold(H5Oopen(file_.id(), name.c_str(), H5P_DEFAULT), H5Oclose, "find " + name);
 }

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -86,14 +85,9 @@ class File {
   template <class T>
   [[nodiscard]] std::vector<T> read_dataset(const std::string& name) const;
 
-  /// A new dataset of this type and shape whose rows are written by write_raw_rows(), all of them.
+  /// A new dataset of this type and shape, for whose rows the file has room; RawRows writes them, all of them.
   void make_fixed(const std::string& name, hid_t type, std::span<const hsize_t> shape);
-  /// Rows of a dataset from and to memory of this type, side by side.
-  void write_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, const void* values);
-  void read_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, void* values) const;
   [[nodiscard]] bool has_type(const std::string& name, hid_t type) const;
-  /// Tells the system that the whole dataset is read soon, so that the disk is at work while the program is.
-  void read_ahead(const std::string& name) const;
   /// Whether the file has room for all values of a dataset, whose shape may be damaged.
   [[nodiscard]] bool holds_all(const std::string& name) const;
 
@@ -108,6 +102,7 @@ class File {
   [[nodiscard]] std::vector<hsize_t> shape(const std::string& name) const;
 
  private:
+  friend class RawRows;
   File(std::filesystem::path path, Handle file) : path_(std::move(path)), file_(std::move(file)) {}
   [[noreturn]] void fail(const std::string& asked) const;
   void require(bool done, const std::string& asked) const {
@@ -118,6 +113,7 @@ class File {
     return {id, close};
   }
   [[nodiscard]] Handle dataset_properties(const std::string& asked) const;
+  [[nodiscard]] int descriptor() const;  // the system's
   [[nodiscard]] Handle open_object(const std::string& name) const;
   [[nodiscard]] Handle open_dataset(const std::string& name) const;
   [[nodiscard]] Handle open_attribute(const Handle& object, const std::string& name) const;
@@ -130,8 +126,6 @@ class File {
   void put_rows(const std::string& name, hid_t memory, const void* values, std::size_t count, hsize_t first_row);
   // Selects rows, of all columns, of a dataset of this shape.
   void select(const Handle& space, hsize_t first_row, std::vector<hsize_t> shape, const std::string& asked) const;
-  void move_rows(const std::string& name, hsize_t first_row, hsize_t rows, const std::string& asked,
-                 const std::function<herr_t(hid_t dataset, hid_t here, hid_t in_file)>& move) const;
   void set_attribute(const std::string& object, const std::string& name, hid_t file, hid_t memory, const void* values,
                      hsize_t count);
 

@@ -25,6 +25,18 @@ void File::write_fixed(const std::string& name, hid_t file, hid_t memory, const 
   finish(dataset, asked);
 }
 
+void File::make_fixed(const std::string& name, hid_t type, std::span<const hsize_t> shape) {
+  const std::string asked = "create " + name;
+  const Handle space = hold(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, asked);
+  const Handle properties = dataset_properties(asked);
+  require(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY) >= 0, asked);
+  require(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER) >= 0, asked);
+  Handle dataset =
+      hold(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose,
+           asked);
+  finish(dataset, asked);
+}
+
 template <class Stored, class T>
 void File::write_dataset(const std::string& name, std::span<const T> values, hsize_t columns) {
   std::vector<hsize_t> shape{values.size() / std::max<hsize_t>(columns, 1)};
@@ -114,6 +126,19 @@ std::vector<hsize_t> File::shape(const std::string& name) const {
   std::vector<hsize_t> extent(static_cast<std::size_t>(rank));
   require(H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr) >= 0, "read the shape of " + name);
   return extent;
+}
+
+bool File::has_type(const std::string& name, hid_t type) const {
+  const Handle dataset = open_dataset(name);
+  const Handle stored = hold(H5Dget_type(dataset.id()), H5Tclose, "read the type of " + name);
+  return H5Tequal(stored.id(), type) > 0;
+}
+
+bool File::holds_all(const std::string& name) const {
+  const Handle dataset = open_dataset(name);
+  const Handle stored = hold(H5Dget_type(dataset.id()), H5Tclose, "read the type of " + name);
+  const hssize_t count = H5Sget_simple_extent_npoints(space_of(dataset, name).id());
+  return count >= 0 && static_cast<hsize_t>(count) <= H5Dget_storage_size(dataset.id()) / H5Tget_size(stored.id());
 }
 
 // Instantiations that the writers use.

@@ -1,16 +1,19 @@
-// Loading: everything that is asked for is read and held against its checksum before the array changes.
+// Loading: everything that is asked for is read and held against its checksum before an array changes that is in use.
 #include <physgen/arrays/array_losses.h>
 #include <physgen/arrays/saved_arrays.h>
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
+#include "../files/blocks.h"
 #include "../files/host_twin.h"
 #include "../files/names.h"
 #include "../files/one_field.h"
 #include "../host_convert.h"
 #include "checksum.h"
+#include "raw_rows.h"
 #include "stored_fields.h"
 
 namespace physgen {
@@ -53,37 +56,53 @@ void require_fit(const std::string& place, const FieldInfo& stored, const std::s
 struct Dataset {
   std::string name;
   std::vector<FieldInfo> fields;  ///< as many as the array has, of which one is stored
-  int bytes_of_row;
-  h5::Handle type;
+  h5::RawRows rows;
+  std::vector<std::uint64_t> checksum;  ///< that was noted
+
+  [[nodiscard]] index_t bytes_of_row() const { return static_cast<index_t>(rows.bytes_of_row()); }
 };
 
-/// Reads rows, and adds them to the checksum.
-void read_rows(const h5::File& file, const Dataset& dataset, index_t begin, index_t end, std::byte* to,
-               h5::Checksum& checksum) {
-  file.read_raw_rows(dataset.name, dataset.type.id(), static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin),
-                     to);
-  checksum.add({to, static_cast<std::size_t>((end - begin) * dataset.bytes_of_row)});
+/// @throw Error when not all rows of a dataset are there
+void require_rows(const h5::File& file, const std::string& place, const std::string& dataset, index_t size) {
+  const auto refuse = [&](const std::string& why) { throw Error(place + " " + dataset + " " + why); };
+  if (file.shape(dataset)[0] != static_cast<hsize_t>(size))
+    refuse("has " + std::to_string(file.shape(dataset)[0]) + " rows for " + std::to_string(size) + " objects");
+  if (!file.holds_all(dataset)) refuse("is not in the file as a whole");
 }
 
-bool is_noted(const h5::File& file, const Dataset& dataset, const h5::Checksum& checksum) {
-  const std::vector<std::uint64_t> noted = file.read_values_attribute(dataset.name, "checksum");
-  return std::equal(noted.begin(), noted.end(), checksum.value().begin(), checksum.value().end());
-}
-
-/// @throw Error when the rows of a dataset are not all there, or damaged
-void require_rows(const h5::File& file, const std::string& place, const Dataset& dataset, index_t size) {
-  const auto refuse = [&](const std::string& why) { throw Error(place + " " + dataset.name + " " + why); };
-  if (file.shape(dataset.name)[0] != static_cast<hsize_t>(size))
-    refuse("has " + std::to_string(file.shape(dataset.name)[0]) + " rows for " + std::to_string(size) + " objects");
-  if (!file.holds_all(dataset.name)) refuse("is not in the file as a whole");
-  file.read_ahead(dataset.name);
-  h5::Checksum checksum;
-  const index_t rows = files::rows_at_once(dataset.bytes_of_row);
-  const Buffer block(SpaceKind::host, std::min(rows, size) * dataset.bytes_of_row, place);
-  for (index_t begin = 0; begin < size; begin += rows)
-    read_rows(file, dataset, begin, std::min(begin + rows, size), block.data(), checksum);
-  if (!is_noted(file, dataset, checksum))
-    refuse("is damaged: its checksum is another one than was noted when it was saved");
+/// Reads all rows, on all threads, and calls visit(dataset, begin, end, rows) for those of objects begin .. end-1.
+/// @param bytes_of_record of the array that gets the objects
+/// @return the first dataset whose checksum is not the one that was noted; else null
+template <class Visit>
+const Dataset* read_all(const std::vector<Dataset>& datasets, index_t size, int bytes_of_record,
+                        const std::string& place, const Visit& visit) {
+  constexpr index_t blocks_ahead = 64;
+  const index_t rows = files::rows_of_block(bytes_of_record), blocks = files::blocks_of(size, rows);
+  index_t widest = 0;
+  for (const Dataset& dataset : datasets) widest = std::max(widest, dataset.bytes_of_row());
+  std::vector<h5::Checksum> checksums(static_cast<std::size_t>(blocks) * datasets.size());
+  const auto read_ahead = [&](index_t block) {
+    for (const Dataset& dataset : datasets)
+      dataset.rows.read_ahead(static_cast<hsize_t>(block * rows), static_cast<hsize_t>(blocks_ahead * rows));
+  };
+  read_ahead(0);
+  files::for_blocks(blocks, std::min(rows, size) * widest, place, [&](index_t b, std::byte* memory) {
+    if (b % blocks_ahead == 0) read_ahead(b + blocks_ahead);
+    const index_t begin = b * rows, end = std::min(begin + rows, size);
+    for (std::size_t d = 0; d < datasets.size(); ++d) {
+      const Dataset& dataset = datasets[d];
+      dataset.rows.read(static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), memory);
+      checksums[static_cast<std::size_t>(b) * datasets.size() + d] =
+          h5::Checksum({memory, static_cast<std::size_t>((end - begin) * dataset.bytes_of_row())});
+      visit(dataset, begin, end, memory);
+    }
+  });
+  for (std::size_t d = 0; d < datasets.size(); ++d) {
+    h5::Checksum whole;
+    for (std::size_t at = d; at < checksums.size(); at += datasets.size()) whole.append(checksums[at]);
+    if (!std::ranges::equal(datasets[d].checksum, whole.value())) return &datasets[d];
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -131,10 +150,10 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
     require_fit(place_, in_file, h5::read_unit(file, dataset), field);
     in_file.name = field.name;
     in_file.in_double = field.in_double;
-    Dataset found{dataset, files::only(form.fields, f, in_file), in_file.count * element_bytes(in_file.type),
-                  h5::type_of(in_file.type)};
-    require_rows(file, place_, found, loaded_.objects);
-    datasets_->all.push_back(std::move(found));
+    require_rows(file, place_, dataset, loaded_.objects);
+    datasets_->all.push_back({dataset, files::only(form.fields, f, in_file),
+                              h5::RawRows(file, dataset, h5::type_of(in_file.type).id()),
+                              file.read_values_attribute(dataset, "checksum")});
     loaded_.fields.emplace_back(field.name);
   }
   if (datasets_->all.empty() && !(stored.empty() && taken.empty())) {
@@ -143,41 +162,42 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
   }
 }
 
-void ArrayOfFile::give(const UntypedArray& to, bool check) const {
+void ArrayOfFile::give(const UntypedArray& to, Target target, bool check) const {
   if (to.size != loaded_.objects) {
     throw Error(place_ + " has " + std::to_string(loaded_.objects) + " objects, and the array " +
                 std::to_string(to.size) + ": resize it");
   }
-  if (to.size == 0) return;
-  const h5::File& file = datasets_->file;
-  const auto part = [&](const Dataset& dataset, std::byte* rows, index_t size) {
-    return UntypedArray{rows, size, size, 1, dataset.bytes_of_row, SpaceKind::host, to.object, dataset.fields};
-  };
-  int widest = 0;
-  for (const Dataset& dataset : datasets_->all) widest = std::max(widest, dataset.bytes_of_row);
-  const index_t rows = check ? to.size : std::min(files::rows_at_once(std::max(to.record_bytes, 1)), to.size);
-  const Buffer block(SpaceKind::host, rows * widest, place_);
-  for (const Dataset& dataset : datasets_->all) {
-    if (!check) break;
-    h5::Checksum ignored;
-    read_rows(file, dataset, 0, to.size, block.data(), ignored);
-    throw_if_falsified(count_on_host(to, part(dataset, block.data(), to.size), 0, to.size), to);
-  }
   const HostTwin twin(to);
-  std::vector<h5::Checksum> checksums(datasets_->all.size());
-  for (index_t begin = 0; begin < to.size; begin += rows) {
-    const index_t end = std::min(begin + rows, to.size);
-    for (std::size_t d = 0; d < checksums.size(); ++d) {
-      const Dataset& dataset = datasets_->all[d];
-      read_rows(file, dataset, begin, end, block.data(), checksums[d]);
-      convert_on_host(twin.array(), 0, part(dataset, block.data(), end - begin), begin, begin, end);
-    }
+  // What an Error need not leave as it was gets the objects while they are read for the first time.
+  const bool at_once = target == Target::spare || twin.is_copy();
+  const auto part = [&](const Dataset& dataset, std::byte* rows, index_t size) {
+    return UntypedArray{rows,      size,          size, 1, static_cast<int>(dataset.bytes_of_row()), SpaceKind::host,
+                        to.object, dataset.fields};
+  };
+  const auto convert = [&](const Dataset& dataset, index_t begin, index_t end, std::byte* rows) {
+    convert_on_host(twin.array(), 0, part(dataset, rows, end - begin), begin, begin, end);
+  };
+  Losses losses;
+  std::mutex adding;
+  const Dataset* other = read_all(datasets_->all, to.size, to.record_bytes, place_,
+                                  [&](const Dataset& dataset, index_t begin, index_t end, std::byte* rows) {
+                                    if (check) {
+                                      const Losses of_part =
+                                          count_on_host(to, part(dataset, rows, end - begin), 0, end - begin);
+                                      const std::lock_guard lock(adding);
+                                      losses.add(of_part, begin);
+                                    }
+                                    if (at_once) convert(dataset, begin, end, rows);
+                                  });
+  if (other != nullptr) {
+    throw Error(place_ + " " + other->name +
+                " is damaged: its checksum is another one than was noted when it was saved");
   }
-  for (std::size_t d = 0; d < checksums.size(); ++d) {
-    if (!is_noted(file, datasets_->all[d], checksums[d])) {
-      throw Error(place_ + " " + datasets_->all[d].name +
-                  " was changed while it was loaded, and the array holds a part of it: load it again");
-    }
+  throw_if_falsified(losses, to);
+  if (!at_once) other = read_all(datasets_->all, to.size, to.record_bytes, place_, convert);
+  if (other != nullptr) {
+    throw Error(place_ + " " + other->name +
+                " was changed while it was loaded, and the array holds a part of it: load it again");
   }
   twin.copy_back(to);
 }

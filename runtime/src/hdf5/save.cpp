@@ -1,5 +1,5 @@
-// Saving: objects are taken in blocks, field by field, so that the records of a block stay in the cache while all of
-// their fields are written.
+// Saving: objects are taken in blocks on all threads, and field by field, so that the records of a block stay in the
+// cache while all of their fields are written.
 #include <physgen/arrays/saved_arrays.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
@@ -9,11 +9,13 @@
 #include <set>
 
 #include "../describe.h"
+#include "../files/blocks.h"
 #include "../files/disk.h"
 #include "../files/host_twin.h"
 #include "../files/one_field.h"
 #include "../host_convert.h"
 #include "checksum.h"
+#include "raw_rows.h"
 #include "stored_fields.h"
 
 namespace physgen {
@@ -23,12 +25,10 @@ namespace {
 /// One field that is being written.
 struct Written {
   std::string dataset;
-  FieldInfo form;
   std::vector<FieldInfo> fields;
-  h5::Handle type;
-  h5::Checksum checksum = {};
+  h5::RawRows rows;
 
-  [[nodiscard]] int bytes_of_row() const { return form.count * element_bytes(form.type); }
+  [[nodiscard]] index_t bytes_of_row() const { return static_cast<index_t>(rows.bytes_of_row()); }
 };
 
 void check_names(const std::filesystem::path& file, std::span<const NamedArray> arrays) {
@@ -64,12 +64,13 @@ std::vector<Written> begin_fields(h5::File& file, const std::string& group, cons
   for (std::size_t f = 0; f < array.fields.size(); ++f) {
     if (!array.fields[f].is_stored()) continue;
     const FieldInfo form = h5::form_in_file(array.fields[f]);
-    written.push_back(
-        {group + "/" + std::string(form.name), form, files::only(array.fields, f, form), h5::type_of(form.type)});
+    const std::string dataset = group + "/" + std::string(form.name);
+    const h5::Handle type = h5::type_of(form.type);
     std::vector<hsize_t> shape{static_cast<hsize_t>(array.size)};
     if (form.count > 1) shape.push_back(static_cast<hsize_t>(form.count));
-    file.make_fixed(written.back().dataset, written.back().type.id(), shape);
-    h5::write_attributes(file, written.back().dataset, form);
+    file.make_fixed(dataset, type.id(), shape);
+    h5::write_attributes(file, dataset, form);
+    written.push_back({dataset, files::only(array.fields, f, form), h5::RawRows(file, dataset, type.id())});
   }
   return written;
 }
@@ -79,25 +80,28 @@ void write_array(h5::File& file, const std::string& name, const UntypedArray& ar
   file.make_group(group);
   file.write_attribute(group, "object", std::string(array.object));
   file.write_attribute(group, "count", h5::one(static_cast<std::uint64_t>(array.size)));
-  std::vector<Written> written = begin_fields(file, group, array);
-  const index_t rows = files::rows_at_once(std::max(array.record_bytes, 1));
-  int widest = 0;
+  const std::vector<Written> written = begin_fields(file, group, array);
+  const index_t rows = files::rows_of_block(array.record_bytes), blocks = files::blocks_of(array.size, rows);
+  index_t widest = 0;
   for (const Written& field : written) widest = std::max(widest, field.bytes_of_row());
-  const Buffer block(SpaceKind::host, std::min(rows, array.size) * widest, "a block of " + name);
-  for (index_t begin = 0; begin < array.size; begin += rows) {
-    const index_t end = std::min(begin + rows, array.size);
-    for (Written& field : written) {
-      const int bytes = field.bytes_of_row();
-      const UntypedArray part{block.data(), end - begin,     end - begin,  1,
-                              bytes,        SpaceKind::host, array.object, field.fields};
+  std::vector<h5::Checksum> checksums(static_cast<std::size_t>(blocks) * written.size());
+  const std::string what = "a block of " + name;
+  files::for_blocks(blocks, std::min(rows, array.size) * widest, what, [&](index_t b, std::byte* memory) {
+    const index_t begin = b * rows, end = std::min(begin + rows, array.size);
+    for (std::size_t f = 0; f < written.size(); ++f) {
+      const index_t bytes = written[f].bytes_of_row();
+      const UntypedArray part{memory,          end - begin,  end - begin,      1, static_cast<int>(bytes),
+                              SpaceKind::host, array.object, written[f].fields};
       detail::convert_on_host(part, begin, array, 0, begin, end);
-      field.checksum.add({block.data(), static_cast<std::size_t>((end - begin) * bytes)});
-      file.write_raw_rows(field.dataset, field.type.id(), static_cast<hsize_t>(begin),
-                          static_cast<hsize_t>(end - begin), block.data());
+      checksums[static_cast<std::size_t>(b) * written.size() + f] =
+          h5::Checksum({memory, static_cast<std::size_t>((end - begin) * bytes)});
+      written[f].rows.write(static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), memory);
     }
-  }
-  for (const Written& field : written) {
-    file.write_attribute(field.dataset, "checksum", std::span<const std::uint64_t>(field.checksum.value()));
+  });
+  for (std::size_t f = 0; f < written.size(); ++f) {
+    h5::Checksum whole;
+    for (std::size_t at = f; at < checksums.size(); at += written.size()) whole.append(checksums[at]);
+    file.write_attribute(written[f].dataset, "checksum", std::span<const std::uint64_t>(whole.value()));
   }
 }
 

@@ -1,6 +1,7 @@
 // An HDF5 file of its own, with a checksum, as a checkpoint is.
 #include <files/disk.h>
 #include <hdf5/h5.h>
+#include <hdf5/raw_rows.h>
 #include <physgen/error.h>
 #include <truthcube/output/hash.h>
 #include <truthcube/output/order_file.h>
@@ -27,7 +28,7 @@ struct UnusableOrder : Error {
 void write_numbers(h5::File& file, const std::string& name, const std::vector<fem::Index>& numbers) {
   const hsize_t rows = numbers.size();
   file.make_fixed(name, H5T_STD_I32LE, one(rows));
-  file.write_raw_rows(name, H5T_NATIVE_INT32, 0, rows, numbers.data());
+  h5::RawRows(file, name, H5T_NATIVE_INT32).write(0, rows, numbers.data());
 }
 
 std::vector<fem::Index> read_numbers(const h5::File& file, const std::string& name) {
@@ -35,7 +36,7 @@ std::vector<fem::Index> read_numbers(const h5::File& file, const std::string& na
   const std::vector<hsize_t> shape = file.shape(name);
   if (shape.size() != 1) throw Error(name + " is not a list");
   std::vector<fem::Index> numbers(shape[0]);
-  file.read_raw_rows(name, H5T_NATIVE_INT32, 0, shape[0], numbers.data());
+  h5::RawRows(file, name, H5T_NATIVE_INT32).read(0, shape[0], numbers.data());
   return numbers;
 }
 

@@ -5,6 +5,7 @@
 #include <physgen/arrays/untyped_array.h>
 
 #include <concepts>
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -38,8 +39,10 @@ inline void save(const std::filesystem::path& file, std::initializer_list<NamedA
 
 namespace detail {
 
-/// One array of an open file, which is found undamaged before any array of the program changes, and then read again: a
-/// second reading, from the system's cache, takes less time than memory for all of it.
+/// What is left of an array where loading fails: in_use, all that it held; spare, anything.
+enum class Target : std::uint8_t { in_use, spare };
+
+/// One array of an open file.
 class ArrayOfFile {
  public:
   /// @param form the type of the array that is to get the objects; its memory is not touched
@@ -50,8 +53,10 @@ class ArrayOfFile {
   ArrayOfFile(const ArrayOfFile&) = delete;
   ArrayOfFile& operator=(const ArrayOfFile&) = delete;
   [[nodiscard]] const Loaded& loaded() const { return loaded_; }
-  /// Writes what was loaded to an array of as many objects. @param check refuse values that its formats cannot hold
-  void give(const UntypedArray& to, bool check) const;
+  /// Loads the objects into an array of as many. One that is in use changes when all that was asked for is found
+  /// undamaged, and is read again for it, from the system's cache: that takes less time than memory for all of it.
+  /// @param check refuse values that its formats cannot hold
+  void give(const UntypedArray& to, Target target, bool check) const;
 
  private:
   struct Datasets;
