@@ -149,7 +149,7 @@ void Stores::assignment(const clang::CXXRecordDecl& reference, Fields& stored) {
                : shape == nullptr || !shape->hasDefinition() ? 0
                                                              : constant(*shape->getDefinition(), "count");
   }
-  const usage::FieldUse use = names_.field(*format);
+  const usage::FieldUse use = names_.field(*format).use;
   const Array* array = find(scene_, use.array);
   if (array == nullptr) return;
   for (const Field& field : array->fields)

@@ -131,16 +131,18 @@ class Attribution {
 
   [[nodiscard]] FieldUse use_of(int f, const Others& others) const {
     const Function& access = at(f);
-    FieldUse use = graph_.fields[static_cast<std::size_t>(access.field)];
-    use.gathered = !use.own && others.gathered.count(f) != 0;
+    const auto& [field, of_part] = graph_.fields[static_cast<std::size_t>(access.field)];
+    FieldUse use = field;
+    // Steps that may become one are called for the same number, and those of a part mean another object by it.
+    use.gathered = !use.own && (of_part || others.gathered.count(f) != 0);
     use.added = !use.own && others.added.count(f) != 0;
     use.address_taken = access.access == Access::address;
     use.read = access.access == Access::read;
     use.written = access.access == Access::write;
     const bool reads = use.read || use.address_taken, writes = use.written || use.address_taken || use.added;
-    const bool is_others = use.gathered || use.added;
-    use.reads_own = use.own && reads;
-    use.writes_own = use.own && writes;
+    const bool is_own = use.own || (of_part && !use.added), is_others = !is_own && (use.gathered || use.added);
+    use.reads_own = is_own && reads;
+    use.writes_own = is_own && writes;
     use.reads_others = is_others && reads;
     use.writes_others = is_others && writes;
     return use;

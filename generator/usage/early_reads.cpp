@@ -46,7 +46,7 @@ class Order {
   }
 
   void access(const Function& made, const Way& way) {
-    const FieldUse& field = graph_.fields[static_cast<std::size_t>(made.field)];
+    const FieldUse& field = graph_.fields[static_cast<std::size_t>(made.field)].use;
     const auto name = std::pair(field.array, field.field);
     if (made.access != Access::read) written_.insert(name);
     if (written_.contains(name) || !way.is_certain || !known_.emplace(name, way.whole_object).second) return;

@@ -42,6 +42,12 @@ struct Function {
   std::set<Fact> facts;  ///< of a function of the program, once there are variants
 };
 
+/// A field, at the kernel's own index or at others.
+struct ReachedField {
+  FieldUse use;          ///< array and field, and whether at the kernel's own index
+  bool of_part = false;  ///< at the index of an object of the part that the kernel is called for
+};
+
 struct Step {
   int function = 0;
   StepUse use;                       ///< without its fields
@@ -61,7 +67,7 @@ struct Part {
 
 struct Graph {
   std::vector<Function> functions;
-  std::vector<FieldUse> fields;  ///< array and field, and whether at the kernel's own index
+  std::vector<ReachedField> fields;
   std::vector<Step> steps;
   std::vector<Part> parts;
   std::vector<int> entries;  ///< functions of the program, for places of accesses that no step leads to

@@ -101,11 +101,12 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   return result;
 }
 
-std::pair<const CXXRecordDecl*, bool> Names::tag_of(const clang::ClassTemplateSpecializationDecl& probe) {
+std::pair<const CXXRecordDecl*, llvm::StringRef> Names::tag_of(const clang::ClassTemplateSpecializationDecl& probe) {
   const auto* tag = probe.getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
   const auto* own = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(tag);
-  if (own == nullptr || own->getIdentifier() == nullptr || own->getName() != "AtOwnIndex") return {tag, false};
-  return {own->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl(), true};
+  if (own == nullptr || !(is_physgen(own, "AtOwnIndex", {"probe"}) || is_physgen(own, "AtOwnOfPart", {"probe"})))
+    return {tag, {}};
+  return {own->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl(), own->getName()};
 }
 
 std::string Names::tag_name(const CXXRecordDecl& tag) {
@@ -115,9 +116,9 @@ std::string Names::tag_name(const CXXRecordDecl& tag) {
   return tag.getNameAsString();
 }
 
-FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
+ReachedField Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
   const auto& arguments = probe.getTemplateArgs();
-  const auto [tag, own] = tag_of(probe);
+  const auto [tag, at] = tag_of(probe);
   const auto* object = arguments[1].getAsType()->getAsCXXRecordDecl();
   const auto number = static_cast<std::size_t>(arguments[2].getAsIntegral().getExtValue());
   const auto [fields, is_new] = fields_.try_emplace(object->getCanonicalDecl());
@@ -125,10 +126,10 @@ FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
     for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("texts")))
       first_texts(initializer(llvm::dyn_cast<clang::VarDecl>(found)), fields->second);
   FieldUse use;
-  use.own = own;
+  use.own = at == "AtOwnIndex";
   use.array = tags_.at(tag->getCanonicalDecl());
   use.field = number < fields->second.size() ? fields->second[number] : std::to_string(number);
-  return use;
+  return {use, at == "AtOwnOfPart"};
 }
 
 void Names::classes(const clang::TemplateArgument& argument, const Visit& visit,

@@ -28,7 +28,7 @@ class Names {
   /// Specialisations of physgen::Probe that the program uses.
   [[nodiscard]] std::vector<const clang::ClassTemplateSpecializationDecl*> probes() const;
   /// The array and field of a specialisation of Probe.
-  [[nodiscard]] FieldUse field(const clang::ClassTemplateSpecializationDecl& probe);
+  [[nodiscard]] ReachedField field(const clang::ClassTemplateSpecializationDecl& probe);
   /// Specialisations of the function templates that executors of probes instantiate.
   [[nodiscard]] std::vector<const clang::FunctionDecl*> steps() const;
   /// The functions of a scene's unit that run its program: over probes, and then over other arrays.
@@ -49,8 +49,8 @@ class Names {
   [[nodiscard]] const clang::DeclContext* space(std::initializer_list<llvm::StringRef> path) const;
   void classes(clang::QualType type, const Visit& visit, std::set<const clang::Decl*>& seen) const;
   void classes(const clang::TemplateArgument& argument, const Visit& visit, std::set<const clang::Decl*>& seen) const;
-  /// The tag of a probe's array, and whether the probe is one at the kernel's own index.
-  [[nodiscard]] static std::pair<const clang::CXXRecordDecl*, bool> tag_of(
+  /// The tag of a probe's array, and the name of the template in its place: "AtOwnIndex", "AtOwnOfPart" or none.
+  [[nodiscard]] static std::pair<const clang::CXXRecordDecl*, llvm::StringRef> tag_of(
       const clang::ClassTemplateSpecializationDecl& probe);
   [[nodiscard]] std::string tag_name(const clang::CXXRecordDecl& tag);
 

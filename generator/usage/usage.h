@@ -23,9 +23,9 @@ struct FieldUse {
   bool address_taken = false;  ///< by `&` of an element or an atomic operation
   // The objects that are meant. None: types do not tell, where a kernel takes single objects alone or makes an index.
   bool own = false;       ///< of those that the step is called for
-  bool gathered = false;  ///< of others, which it finds by indices of its own making
+  bool gathered = false;  ///< of others, which it finds by indices of its own making, or of a part: object_of_part()
   bool added = false;     ///< of others, by add()
-  // The same of reads and of writes apart. None: as above.
+  // Those of the set that it runs over, and others, of reads and of writes apart. None: as above.
   bool reads_own = false, reads_others = false, writes_own = false, writes_others = false;
   bool whole_object = false;                       ///< by a get() or put() of all fields, too, at `whole_places`
   std::vector<Place> places;                       ///< in the kernel's own source, in ascending order, each once

@@ -3,7 +3,8 @@
 //   any(i, mask), all(i, mask)               questions to the objects at the kernel's index i
 //   largest(i, x), smallest(i, x)            over them: `for (int k = 0; k < largest(i, count); ++k)`
 //   wanted<Scalar>(i), numbers(i)            which lanes are objects, and their numbers
-//   object_number(i), object_of_part(k, i)   of one object: its number, and object k + i as one's own
+//   object_number(i)                         of one object: its number
+//   object_of_part(first, i)                 object(s) first + i, as the kernel's own
 //   add(i, view[j].f(), value)               sums at objects that several lanes or threads may name
 //   store_where(mask, view[i].f(), value)    a store where a condition holds
 //   select(mask, a, b)                       in place of `?:`; masks join by &&, || and !

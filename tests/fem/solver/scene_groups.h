@@ -12,7 +12,8 @@
 
 namespace physgen::fem {
 
-/// Those of a scene whose tangents are assembled and whose volumes are averaged over patches.
+/// Those of a scene whose tangents are assembled.
+/// @tparam Patches over which volumes are averaged, or NoArrays
 template <class BodyGroup, class Patches, class Chunk, class LevelGroup, class Krylov>
 struct SceneGroups {
   BodyGroup body;
@@ -24,7 +25,7 @@ struct SceneGroups {
   double spacing = 0;  ///< of the finest mesh [m]
 
   SceneGroups(const Body& given, const SolverSettings& settings) {
-    using Mesh = EquilibriumOver<float, BodyGroup, PatchesOver<Patches>, NoArrays, Chunk>;
+    using Mesh = EquilibriumOver<float, BodyGroup, OverGroup<PatchesOver, Patches>, NoArrays, Chunk>;
     using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes, LevelGroup, NoArrays, NoArrays, NoArrays>;
     LevelsInUse used = levels_in_use(given.levels, settings);
     const MeshLevel& finest = used.levels.front();
@@ -35,7 +36,7 @@ struct SceneGroups {
     facts.moves = true;
     spacing = mesh.spacing;
     body = std::move(mesh);
-    patches = std::move(*mesh.patches);
+    where(mesh.patches, [&](auto& over) { patches = std::move(over); });
     chunk = std::move(*mesh.chunk_arrays);
     for (auto& level : make_linear_levels<Level>(used, settings)) {
       facts.sums.push_back(std::move(level->sums));

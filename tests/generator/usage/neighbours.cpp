@@ -130,6 +130,34 @@ struct StoreSum {
 template <class To>
 StoreSum(To) -> StoreSum<To>;
 
+/// to[i] = from[i of the part that begins at 4], in packs
+template <class From, class To>
+struct OfPart {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].volume() = from[object_of_part(4, i)].volume().get();
+  }
+};
+template <class From, class To>
+OfPart(From, To) -> OfPart<From, To>;
+/// to[i] = from[i of the part that begins at 4, and i + 4]
+template <class From, class To>
+struct OfPartAndNext {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<float, I>;
+    to[i].volume() = S(from[object_of_part(4, i)].volume()) + S(from[numbers(i) + 4].volume());
+  }
+};
+template <class From, class To>
+OfPartAndNext(From, To) -> OfPartAndNext<From, To>;
+
 template <class On>
 void program(On& on, Arrays& a) {
 #if defined(PHYSGEN_TEST_STEP)
@@ -141,6 +169,8 @@ void program(On& on, Arrays& a) {
   on.run(1, OneByOne{a.from.view(), a.to.view()});
   on.run(1, Single{a.from.const_view(), a.between.view(), a.to.view()});
   on.run(1, lanes<1>(Single{a.from.const_view(), a.between.view(), a.sums.view()}));
+  on.run(1, OfPart{a.between.view(), a.to.view()});
+  on.run(1, OfPartAndNext{a.between.view(), a.to.view()});
   on.reduce(1, SumOfOwn{a.from.const_view()}, Sum{}, StoreSum{a.sums.view()});
   on.run(1, fuse(locals(), Copy{a.from.view(), a.between.view()}, Copy{a.between.view(), a.to.view()},
                  AddToNext{a.to.view(), a.sums.view()}, AddToNext{a.between.view(), a.sums.view()}));

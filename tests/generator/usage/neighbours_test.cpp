@@ -46,6 +46,18 @@ TEST(UsageOfNeighbours, tells_own_objects_from_others_of_a_template_over_single_
   }
 }
 
+TEST(UsageOfNeighbours, are_own_objects_of_a_part_in_packs_and_yet_none_of_a_step_that_others_may_be_joined_with) {
+  const Usage& usage = usage_of("neighbours.cpp", Side::host);
+  const auto between = [&](const std::string& kernel) {
+    const StepUse* found = step(usage, kernel);
+    EXPECT_NE(found, nullptr) << kernel;
+    return found == nullptr ? FieldUse() : found->fields.at(0);
+  };
+  const FieldUse own = between("neighbours::OfPart"), both = between("neighbours::OfPartAndNext");
+  EXPECT_TRUE(own.array == "between" && own.reads_own && !own.reads_others && !own.own && own.gathered);
+  EXPECT_TRUE(both.array == "between" && both.reads_own && both.reads_others && !both.own && both.gathered);
+}
+
 TEST(UsageOfNeighbours, has_the_kernels_of_steps_with_the_arrays_of_their_views_by_number) {
   const Usage& usage = usage_of("neighbours.cpp", Side::host);
   const StepUse* in_lanes = step(usage, "physgen::InLanes<neighbours::Single>");
@@ -91,6 +103,7 @@ TEST(UsageOfNeighbours, in_a_group_that_writes_them_is_a_race_in_either_order_an
             Fields{"neighbours::AddToNext 68, neighbours::Copy 40: sums.volume"});
   EXPECT_EQ(races(copy + ", NextPack{a.between.view(), a.to.view()}", Side::host),
             Fields{"neighbours::Copy 40, neighbours::NextPack 88: between.volume"});
+  EXPECT_EQ(races(copy + ", OfPart{a.between.view(), a.to.view()}", Side::host).size(), 1U);
   if (!has_device_side()) GTEST_SKIP() << "there is no CUDA toolkit";
   EXPECT_EQ(races(shift + ", " + copy, Side::device), expected);
 }

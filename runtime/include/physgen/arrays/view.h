@@ -54,9 +54,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
              RecordSize{Record::bytes, record_bytes, detail::record_size<Object, Precision, Layout, Formats>.lane}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
   template <class I>
-  using Ref =
-      typename Object::template Ref<Precision, format::FormatsAt<Formats, detail::is_own<I> || detail::AnyPack<I>>,
-                                    CursorAt<detail::Bare<I>>>;
+  using Ref = typename Object::template Ref<
+      Precision, format::FormatsAt<Formats, detail::is_own<I> || detail::AnyPack<I>, detail::is_of_part<I>>,
+      CursorAt<detail::Bare<I>>>;
   template <class I>
   using Value = typename Object::template Value<lanes_t<Precision, I>>;
 

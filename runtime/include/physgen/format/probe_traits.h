@@ -21,6 +21,12 @@ template <class ArrayTag>
 struct AtOwnIndex {
   static constexpr const char* name = ArrayTag::name;
 };
+/// The same where a kernel is called for the objects of a part: the array under object_of_part(first, i). On several
+/// ranks these are own objects; to steps that may become one they are others, as to any `first` but 0.
+template <class ArrayTag>
+struct AtOwnOfPart {
+  static constexpr const char* name = ArrayTag::name;
+};
 
 }  // namespace probe
 
@@ -48,8 +54,10 @@ struct this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_vi
 
 template <template <class, class, class, int> class XProbe, class ArrayTag, class Base, class Object, int first>
 XProbe<probe::AtOwnIndex<ArrayTag>, Base, Object, first> at_own_index(XProbe<ArrayTag, Base, Object, first>);
+template <template <class, class, class, int> class XProbe, class ArrayTag, class Base, class Object, int first>
+XProbe<probe::AtOwnOfPart<ArrayTag>, Base, Object, first> at_own_of_part(XProbe<ArrayTag, Base, Object, first>);
 
-template <class Formats, bool own>
+template <class Formats, bool own, bool of_part>
 struct FormatsAt {
   using type = Formats;
 };
@@ -65,15 +73,20 @@ namespace detail {
 
 template <class Formats>
   requires are_probes<Formats>
-struct FormatsAt<Formats, true> {
+struct FormatsAt<Formats, true, false> {
   using type = decltype(at_own_index(std::declval<Formats>()));
+};
+template <class Formats>
+  requires are_probes<Formats>
+struct FormatsAt<Formats, true, true> {
+  using type = decltype(at_own_of_part(std::declval<Formats>()));
 };
 
 }  // namespace detail
 
-/// The same formats; of a probed array, those that say that the index is the kernel's own.
-template <class Formats, bool own>
-using FormatsAt = typename detail::FormatsAt<Formats, own>::type;
+/// The same formats; of a probed array, those that say that the index is the kernel's own, or own and of a part.
+template <class Formats, bool own, bool of_part>
+using FormatsAt = typename detail::FormatsAt<Formats, own, of_part>::type;
 
 template <class ArrayTag, class Object, int field, class Base>
 inline constexpr bool holds_indices<Probe<ArrayTag, Object, field, Base>> = holds_indices<Base>;

@@ -33,14 +33,19 @@ template <SingleObject I>
   return static_cast<index_t>(detail::bare(i));
 }
 
-/// The object first + i, where a kernel is called for the objects of a part that begins at `first`: the own one, too.
+/// The object(s) first + i, where a kernel is called for the objects of a part that begins at `first`: the own ones,
+/// too. It is an index for views, not a number to calculate with; numbers(i) is one.
 /// @param first the same in all calls of a launch
-template <SingleObject I>
+template <detail::OfOneObject I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr auto object_of_part(index_t first, const I& i) {
-  if constexpr (detail::is_own<I>) {
+  if constexpr (std::same_as<I, detail::OwnObject>) {
     return I{first + i.index, i.frame};
+  } else if constexpr (std::same_as<detail::Bare<I>, detail::CheckedIndex>) {
+    return numbers(i) + static_cast<std::int32_t>(first);
+  } else if constexpr (detail::is_own<I>) {
+    return Own<index_t, detail::FrameOfPart>{first + static_cast<index_t>(detail::bare(i)), nullptr};
   } else {
-    return first + i;
+    return first + static_cast<index_t>(i);
   }
 }
 

@@ -49,6 +49,16 @@ inline constexpr bool is_own = false;
 template <class I, class Frame>
 inline constexpr bool is_own<Own<I, Frame>> = true;
 
+/// In the place of locals where an index stands for objects of a part (object_of_part()): they have none.
+struct FrameOfPart {
+  template <class Local>
+  static constexpr bool has = false;
+};
+template <class I>
+inline constexpr bool is_of_part = false;
+template <class I>
+inline constexpr bool is_of_part<Own<I, FrameOfPart>> = true;
+
 /// The index that says which objects are meant: an Own's, which may hold another one.
 template <class I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) bare(const I& i) {

@@ -40,6 +40,12 @@ template <detail::OfPack I>
   }
 }
 
+template <detail::OfPack I>
+[[nodiscard]] auto object_of_part(index_t first, const I& i) {
+  const auto objects = numbers(i) + static_cast<std::int32_t>(first);
+  return Own<std::remove_const_t<decltype(objects)>, detail::FrameOfPart>{objects, nullptr};
+}
+
 template <detail::OfPack I, class T, class A>
 [[nodiscard]] bool any(const I& i, const xsimd::batch_bool<T, A>& condition) {
   static_assert(xsimd::batch_bool<T, A>::size == std::size_t{detail::Bare<I>::width},

@@ -135,7 +135,7 @@ struct ComputeTetForces {
   template <class I>
   PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
     using S = lanes_t<Scalar, I>;
-    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    const auto t = object_of_part(chunk.first_tet, i);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Pressures::averages) {
@@ -168,7 +168,7 @@ struct ComputeTetTangents {
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
     using Real = typename TangentView::Precision;
-    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    const auto t = object_of_part(chunk.first_tet, i);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     PrincipalDerivative<S> d = material.derivative(tet.f.s);
     if constexpr (Pressures::averages) {

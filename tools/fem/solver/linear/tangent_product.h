@@ -79,7 +79,7 @@ struct ComputeTetDifferentials {
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {
     using Real = typename TangentView::Precision;
-    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    const auto t = object_of_part(chunk.first_tet, i);
     corners[i].G() = detail::cast_matrix<Scalar>(detail::tet_differential<Real>(tets, tangent, displacements, t));
   }
 };
