@@ -5,7 +5,7 @@
 //   --cells N            along each side (default 20)
 //   --coarsest N         cells of the coarsest level at least (default: there is one level)
 //   --preconditioner P   jacobi (default) or multigrid
-//   --replicate N        coarser levels of more nodes are cut, too, where the two-block rule of this test allows
+//   --replicate N        coarser levels of more nodes are cut, too, however few blocks ranks then have of them
 //   --plain 1            by the solver's own levels in one process, without distributed arrays
 //   --table 0            the product has no rows in the table
 #include <fem/mesh/mesh.h>

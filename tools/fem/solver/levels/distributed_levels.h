@@ -13,6 +13,7 @@
 #include <fem/solver/levels/linear_level.h>
 #include <physgen/distributed/arrays.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
