@@ -20,6 +20,11 @@ struct InvertStiffness {
   InverseView inverse;  ///< quasistatic::CoarseInverse, written
 };
 
+template <class Level>
+[[nodiscard]] auto inverse_of(Level& level) {
+  return InvertStiffness{scaled_stiffness(level), level.coarse_inverse.view()};
+}
+
 template <class Stiffness, class InverseView>
 void invert_dense(const InvertStiffness<Stiffness, InverseView>& of) {
   using Real = typename InverseView::Precision;
@@ -52,8 +57,8 @@ void invert_dense(const InvertStiffness<Stiffness, InverseView>& of) {
 template <PerformsIn<Host> On, class Level>
 void invert_coarsest(On& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
-  const detail::InvertStiffness of{detail::scaled_stiffness(level), level.coarse_inverse.view()};
-  perform_in_place_of(on, level.nodes(), of, [&](Stream /*stream*/) { detail::invert_dense(of); });
+  perform_in_place_of(on, level.nodes(), detail::inverse_of(level),
+                      [&](Stream /*stream*/) { detail::invert_dense(detail::inverse_of(level)); });
 }
 
 }  // namespace physgen::fem
