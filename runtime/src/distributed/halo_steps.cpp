@@ -50,6 +50,13 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     throw Error(*kernels.front().name + " is reduced over the entries of rows, " + over.name +
                 ", which have no blocks that all numbers of ranks have; reduce over the objects that have the rows");
   }
+  if (step.is_gathered && way != Way::run) {
+    throw Error(
+        *kernels.front().name + (way == Way::reduce ? " is reduced" : " is done by code of the program's own") +
+        " over set " + over.name +
+        ", which all ranks have, and reads others of which ranks have parts; let a kernel that is run write what "
+        "it reads of these into an array of the set");
+  }
   current_ = &step;
   current_name_ = *kernels.front().name;
   std::vector<Field> stale;
@@ -64,6 +71,10 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   std::vector<Range> inner;
   if (is_split) inner = inner_of(over, way);
   if (!stale.empty() && inner.empty()) arrive();
+  if (step.is_gathered) {
+    const int rank = arrays_.ranks().rank();
+    return {over.computed->begin(rank), over.computed->end(rank), nullptr};
+  }
   on_ghosts_ = way != Way::at_once && step.reaches_on_ghosts &&
                std::ranges::all_of(step.own, [&](const Field& f) { return is_fresh(f); });
   if (!over.local) return {0, size, nullptr};  // entries, of which there are no ghosts
@@ -105,6 +116,7 @@ std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Wa
 void HaloSteps::end() {
   const Step* const step = std::exchange(current_, nullptr);
   if (step == nullptr || step->set < 0) return;
+  if (step->is_gathered) return gather_written(*step);
   if (arrays_.sets()[static_cast<std::size_t>(step->set)].kind != DistributedSet::Kind::owned) return;
   for (const Field& field : step->written) {
     // A step may write some objects of the field, or some of its elements: of ghosts the others stay as they were.
@@ -165,6 +177,36 @@ void each_element(const UntypedArray& memory, const FieldInfo& info, index_t obj
 }
 
 }  // namespace
+
+void HaloSteps::gather_written(const Step& step) {
+  const Runs& runs = *arrays_.sets()[static_cast<std::size_t>(step.set)].computed;
+  const int mine = arrays_.ranks().rank();
+  const auto each = [&](int rank, const auto& use) {
+    for (const Field& field : step.written) {
+      const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
+      const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
+      for (index_t i = runs.begin(rank); i < runs.end(rank); ++i) each_element(memory, info, i, use);
+    }
+  };
+  index_t bytes_of_object = 0;
+  for (const Field& field : step.written) {
+    const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
+    const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
+    bytes_of_object += info.count * element_bytes(info.type);
+  }
+  std::vector<index_t> sizes;
+  for (int r = 0; r < runs.ranks(); ++r) sizes.push_back((runs.end(r) - runs.begin(r)) * bytes_of_object);
+  std::vector<std::byte> given, all(static_cast<std::size_t>(runs.size() * bytes_of_object));
+  each(mine, [&](const std::byte* at, std::size_t size) { given.insert(given.end(), at, at + size); });
+  arrays_.transport().gather(given, sizes, all);
+  const std::byte* from = all.data();
+  for (int r = 0; r < runs.ranks(); ++r) {
+    each(r, [&](std::byte* at, std::size_t size) {
+      std::memcpy(at, from, size);
+      from += size;
+    });
+  }
+}
 
 void HaloSteps::begin_exchange(const std::vector<Field>& fields) {
   const auto ranks = static_cast<std::size_t>(arrays_.ranks().count());

@@ -1,0 +1,127 @@
+// The arrays of a program over a graph: of all objects, or on several ranks.
+#pragma once
+
+#include <physgen/distributed/arrays.h>
+
+#include <vector>
+
+#include "graphs.h"
+
+namespace graphs {
+
+/// Arrays of a program, of all objects or of a rank's.
+template <class Real, class X, class F, class M, class S, class Stored>
+struct Body {
+  Array<elasticity::NodePositionObject, Real, Host, X> positions;
+  Array<elasticity::NodeForceObject, Real, Host, F> forces;
+  Array<elasticity::NodeForceObject, Real, Host, S, Stored> springs;
+  Array<elasticity::NodeDisplacementObject, Real, Host, M> means;
+  Array<elasticity::NodeForceDifferentialObject, Real, Host, S> shares;
+  Array<elasticity::EdgeObject, Real, Host, M> edges;
+  Array<elasticity::TetObject, Real, Host, F> quads;
+  elasticity::IncidenceRangeArray<float> ranges, touched, member_ranges;
+  elasticity::IncidenceArray<float> ends, touches, members;
+  // Of groups; and of nodes.
+  Array<elasticity::NodeForceObject, Real, Host, S, Stored> totals;
+  Array<elasticity::NodeDisplacementObject, Real, Host, F> calms;
+  Array<elasticity::EdgeObject, Real, Host, X> links, homes;
+  elasticity::NodeForceArray<double> state{1};
+};
+struct HalfForces : elasticity::NodeForceFormats<Host> {
+  using f = format::Half<>;
+};
+using InFloat = Body<float, AosPadded, Soa, Aosoa<16>, Aos, elasticity::NodeForceFormats<Host>>;
+using InDouble = Body<double, Soa, Aosoa<8>, Aos, AosPadded, elasticity::NodeForceFormats<Host>>;
+using InHalf = Body<float, Aosoa<16>, AosPadded, Soa, Soa, HalfForces>;
+
+template <class Body>
+typename decltype(Body::positions)::Value position(index_t node) {
+  typename decltype(Body::positions)::Value value{};
+  for (int k = 0; k < 3; ++k) value.x[k] = static_cast<float>((node * (2 * k + 3)) % 101 - 50) / 64;
+  return value;
+}
+
+template <class Body>
+void fill(Body& body, const Graph& graph) {
+  const auto entries = [](auto& ranges, auto& array, const auto& rows) {
+    std::vector<elasticity::Incidence<float>> all;
+    ranges.resize(static_cast<index_t>(rows.size()));
+    for (index_t i = 0; i < ranges.size(); ++i) {
+      ranges[i].begin() = static_cast<std::int32_t>(all.size());
+      all.insert(all.end(), rows[Graph::at(i)].begin(), rows[Graph::at(i)].end());
+      ranges[i].end() = static_cast<std::int32_t>(all.size());
+    }
+    array.resize(static_cast<index_t>(all.size()));
+    for (index_t k = 0; k < array.size(); ++k) array.view().put(k, all[Graph::at(k)]);
+  };
+  body.positions.resize(graph.nodes);
+  body.forces.resize(graph.nodes);
+  body.means.resize(graph.nodes);
+  body.homes.resize(graph.nodes);
+  for (const auto groups : {static_cast<index_t>(graph.links.size())}) {
+    body.totals.resize(groups);
+    body.calms.resize(groups);
+    body.links.resize(groups);
+  }
+  body.edges.resize(static_cast<index_t>(graph.edges.size()));
+  body.springs.resize(body.edges.size());
+  body.quads.resize(static_cast<index_t>(graph.quads.size()));
+  body.shares.resize(body.quads.size());
+  entries(body.ranges, body.ends, graph.ends);
+  entries(body.touched, body.touches, graph.touches);
+  entries(body.member_ranges, body.members, graph.members);
+  for (index_t i = 0; i < graph.nodes; ++i) body.positions.view().put(i, position<Body>(i));
+  const auto pairs = [](auto& array, const auto& named) {
+    for (index_t e = 0; e < array.size(); ++e)
+      for (int k = 0; k < 2; ++k) array[e].nodes()[k] = static_cast<std::int32_t>(named[Graph::at(e)][Graph::at(k)]);
+  };
+  pairs(body.edges, graph.edges);
+  pairs(body.links, graph.links);
+  pairs(body.homes, graph.homes);
+  for (index_t t = 0; t < body.quads.size(); ++t)
+    for (int k = 0; k < 4; ++k)
+      body.quads[t].nodes()[k] = static_cast<std::int32_t>(graph.quads[Graph::at(t)][Graph::at(k)]);
+}
+
+template <class Body>
+void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows) {
+  arrays.add_set("node", graph.nodes);
+  arrays.add_set("edge", static_cast<index_t>(graph.edges.size()));
+  arrays.add_set("quad", static_cast<index_t>(graph.quads.size()));
+  if (follows) arrays.follow("edge", "node");
+  // Other names of the sets, counted by themselves.
+  arrays.add_set("mean", graph.nodes);
+  arrays.add_set("spring", static_cast<index_t>(graph.edges.size()));
+  arrays.same_set("mean", "node");
+  arrays.add("b.positions", "node", body.positions);
+  arrays.add("b.forces", "node", body.forces);
+  arrays.add("b.means", "mean", body.means);
+  arrays.add("b.ranges", "node", body.ranges);
+  arrays.add("b.touched", "node", body.touched);
+  arrays.add("b.edges", "edge", body.edges);
+  arrays.add("b.springs", "spring", body.springs);
+  arrays.add("b.quads", "quad", body.quads);
+  arrays.add("b.shares", "quad", body.shares);
+  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return graph.edges[Graph::at(e)]; });
+  arrays.connect(body.quads, "nodes", "node", [&](index_t t) { return graph.quads[Graph::at(t)]; });
+  arrays.connect_rows(body.ranges, "b.ends", body.ends, "element", "edge",
+                      [&](index_t i) -> const auto& { return graph.ends[Graph::at(i)]; });
+  arrays.same_set("spring", "edge");  // behind what has them
+  arrays.connect_rows(body.touched, "b.touches", body.touches, "element", "quad",
+                      [&](index_t i) -> const auto& { return graph.touches[Graph::at(i)]; });
+  arrays.add_replicated_set("group", static_cast<index_t>(graph.links.size()));
+  arrays.add("b.totals", "group", body.totals);
+  arrays.add("b.calms", "group", body.calms);
+  arrays.add("b.links", "group", body.links);
+  arrays.add("b.homes", "mean", body.homes);
+  arrays.add("b.member_ranges", "group", body.member_ranges);
+  arrays.connect(body.links, "nodes", "group", [&](index_t g) { return graph.links[Graph::at(g)]; });
+  arrays.connect(body.homes, "nodes", "group", [&](index_t n) { return graph.homes[Graph::at(n)]; });
+  arrays.connect_rows(
+      body.member_ranges, "b.members", body.members, "element", {"spring", "node"},
+      [&](index_t g) -> const auto& { return graph.members[Graph::at(g)]; }, 0,
+      [](const auto& member) { return int(member.local); });
+  arrays.cut();
+}
+
+}  // namespace graphs
