@@ -40,6 +40,7 @@ void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
   counts.nodes = mesh.nodes;
   counts.tets = static_cast<std::int64_t>(mesh.tets.size());
   counts.tet_edges = static_cast<std::int64_t>(mesh.edges.size());
+  if (refinements == 0) return;
   std::int64_t faces = (4 * counts.tets + static_cast<std::int64_t>(fem::boundary_faces(mesh).size())) / 2;
   for (int k = 1; k <= refinements; ++k) {
     counts.nodes += counts.tet_edges;
