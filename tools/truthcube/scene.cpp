@@ -40,6 +40,7 @@ void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
   counts.nodes = mesh.nodes;
   counts.tets = static_cast<std::int64_t>(mesh.tets.size());
   counts.tet_edges = static_cast<std::int64_t>(mesh.edges.size());
+  if (refinements == 0) return;
   std::int64_t faces = (4 * counts.tets + static_cast<std::int64_t>(fem::boundary_faces(mesh).size())) / 2;
   for (int k = 1; k <= refinements; ++k) {
     counts.nodes += counts.tet_edges;
@@ -194,6 +195,9 @@ void adapt_smoother(Options& options, const Scene& scene) {
   fem::PreconditionerSettings& preconditioner = options.solver.newton.preconditioner;
   const bool is_uniform = options.is_cube() && options.grading == 1;
   if (is_uniform || preconditioner.kind != fem::Preconditioner::multigrid) return;
+  // Near a Poisson's ratio of 0.5 the largest eigenvalues belong to a few patches of a refined mesh. Ten steps of power
+  // iteration fall short of them, and multigrid is then not definite.
+  if (options.refinements > 0) preconditioner.first_power_steps = 40;
   // Measured on graded cubes: in as long as by degree 2, a third to a half of the iterations less.
   struct Smoother {
     double flatter_than;

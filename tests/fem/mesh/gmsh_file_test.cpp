@@ -1,5 +1,6 @@
 // Meshes from files in Gmsh's format: those of the folder gmsh, which Gmsh wrote, and those of gmsh_format.h.
 #include <fem/mesh/check.h>
+#include <physgen/threads.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -99,6 +100,35 @@ TEST_F(GmshFile, may_number_nodes_and_tets_anyhow) {
   }
   EXPECT_EQ(refusal(write(replaced(in_version_2(one_tet()), "20 1 0 0", "-20 1 0 0"))),
             "line 7: '-20' is not a natural number; the file may be cut off or damaged: write it again");
+}
+
+// Blocks of many tets are read on several threads, those of one tet one after the other.
+TEST_F(GmshFile, says_the_same_in_binary_blocks_of_any_size_on_any_number_of_threads) {
+  File file = file_of(reference::jittered(reference::box(14, 15, 16), 0.1, 63), 64);
+  for (const std::size_t e : {std::size_t{0}, std::size_t{9000}}) {  // triangles between blocks of tets
+    const Tags& nodes = file.elements[e].nodes;
+    file.elements.insert(file.elements.begin() + static_cast<std::ptrdiff_t>(e),
+                         Element{100000000 + e, 2, {nodes[0], nodes[1], nodes[2]}});
+  }
+  const ReadMesh one_by_one = read_gmsh(write(in_version_4(file)));
+  ASSERT_EQ(one_by_one.tets.size(), 14u * 15 * 16 * 6);
+  for (const std::size_t most : {std::size_t{1}, std::size_t{7}, std::size_t{1000000}}) {
+    const std::filesystem::path path = write(gmsh_format::in_binary_version_4(file, most));
+    for (const int count : {1, 2, 16}) {
+      SCOPED_TRACE(std::to_string(most) + " in a block, " + std::to_string(count) + " threads");
+      set_threads(count);
+      const ReadMesh mesh = read_gmsh(path);
+      EXPECT_EQ(mesh.rest, one_by_one.rest);
+      EXPECT_EQ(mesh.tets, one_by_one.tets);
+      EXPECT_EQ(mesh.node_tags, one_by_one.node_tags);
+      EXPECT_EQ(mesh.tet_tags, one_by_one.tet_tags);
+    }
+  }
+  set_threads(0);
+  // A block of many whose last tet the file does not have.
+  const std::string text = gmsh_format::in_binary_version_4(file, 1000000);
+  EXPECT_TRUE(refusal(write(text.substr(0, text.find("\n$EndElements") - 8))).find("the file ends after") !=
+              std::string::npos);
 }
 
 // What Gmsh wrote of one geometry says the same in all forms. Elements of points, lines and surfaces stand in it, too.

@@ -118,8 +118,14 @@ inline std::string in_binary_version_2(const File& file) {
   return out + "\n$EndElements\n";
 }
 
-// The same in the binary form of version 4.1, a block for each element.
-inline std::string in_binary_version_4(const File& file) {
+// The same in the binary form of version 4.1, in blocks of up to so many elements of one type.
+inline std::string in_binary_version_4(const File& file, std::size_t most = 1) {
+  std::vector<std::size_t> begins;  // of blocks
+  for (std::size_t e = 0; e < file.elements.size(); ++e) {
+    const bool goes_on =
+        !begins.empty() && e - begins.back() < most && file.elements[e].type == file.elements[begins.back()].type;
+    if (!goes_on) begins.push_back(e);
+  }
   std::string out = "$MeshFormat\n4.1 1 8\n";
   const auto put_int = [&out](int value) { put_bytes(out, value); };
   const auto put_size = [&out](std::size_t value) { put_bytes(out, value); };
@@ -131,14 +137,18 @@ inline std::string in_binary_version_4(const File& file) {
   for (const auto& node : file.nodes) put_size(node.first);
   for (const auto& node : file.nodes) put_bytes(out, node.second);
   out += "\n$EndNodes\n$Elements\n";
-  for (const std::size_t value : {file.elements.size(), file.elements.size(), std::size_t{1}, std::size_t{1}}) {
+  for (const std::size_t value : {begins.size(), file.elements.size(), std::size_t{1}, std::size_t{1}}) {
     put_size(value);
   }
-  for (const Element& element : file.elements) {
-    for (const int value : {dimension_of(element.type), 1, element.type}) put_int(value);
-    put_size(1);
-    put_size(element.tag);
-    for (const std::size_t node : element.nodes) put_size(node);
+  begins.push_back(file.elements.size());
+  for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
+    const int type = file.elements[begins[b]].type;
+    for (const int value : {dimension_of(type), 1, type}) put_int(value);
+    put_size(begins[b + 1] - begins[b]);
+    for (std::size_t e = begins[b]; e < begins[b + 1]; ++e) {
+      put_size(file.elements[e].tag);
+      for (const std::size_t node : file.elements[e].nodes) put_size(node);
+    }
   }
   return out + "\n$EndElements\n";
 }

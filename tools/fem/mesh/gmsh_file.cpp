@@ -24,9 +24,9 @@ constexpr Index none = -1;
 
 bool ascends(const Tags& tags) { return std::ranges::adjacent_find(tags, std::ranges::greater_equal()) == tags.end(); }
 
-template <class Value>
-std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& order) {
-  std::vector<Value> result;
+template <class List>
+List picked(const List& values, const std::vector<std::size_t>& order) {
+  List result;
   result.reserve(order.size());
   for (const std::size_t i : order) result.push_back(values[i]);
   return result;
@@ -34,9 +34,9 @@ std::vector<Value> picked(const std::vector<Value>& values, const std::vector<st
 
 // Brings nodes or tets into the order of their tags. One that stands there twice, as an element does in two groups, is
 // taken once.
-template <class Value>
-void sort_by_tag(const GmshInput& input, const std::string& kind, Tags& tags, std::vector<Value>& values,
-                 const Tags& places) {
+template <class List>
+void sort_by_tag(const GmshInput& input, const std::string& kind, Tags& tags, List& values,
+                 const HostList<std::uint64_t>& places) {
   if (ascends(tags)) return;
   std::vector<std::size_t> order(tags.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

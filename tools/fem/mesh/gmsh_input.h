@@ -73,6 +73,13 @@ class GmshInput {
   /// The place of what is read next.
   [[nodiscard]] const char* here() const { return is_binary ? at_ : row_; }
 
+  /// Passes over so many bytes of a binary file. @return the first of them
+  const char* skip(std::uint64_t count) {
+    if (bytes_left() < count) refuse_at(at_, "the file ends here in the middle of a section");
+    at_ += count;
+    return at_ - count;
+  }
+
   /// A number of a node or an element, or a count; in bytes of the given type.
   template <class Stored>
   std::uint64_t natural() {
@@ -125,9 +132,7 @@ class GmshInput {
   template <class Stored>
   Stored bytes() {
     Stored number{};
-    if (bytes_left() < sizeof number) refuse_at(at_, "the file ends here in the middle of a section");
-    std::memcpy(&number, at_, sizeof number);
-    at_ += sizeof number;
+    std::memcpy(&number, skip(sizeof number), sizeof number);
     return number;
   }
 

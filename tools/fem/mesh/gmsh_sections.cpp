@@ -1,11 +1,13 @@
-// Rows are read one after the other, in text as in binary files.
+// Rows are read one after the other, but for the tets and nodes of binary blocks, whose places are known at once.
 #include <fem/mesh/check.h>
 #include <fem/mesh/gmsh_format.h>
 #include <fem/mesh/gmsh_kinds.h>
 #include <fem/mesh/gmsh_rows.h>
 #include <fem/mesh/gmsh_sections.h>
+#include <physgen/detail/launch.h>
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <string>
 
@@ -101,6 +103,10 @@ class Reader : private GmshRows {
       const std::uint64_t count = take(input_.natural<std::uint64_t>(), left);
       input_.end_row();
       require_rows(count, 8 * static_cast<std::uint64_t>(4 + parameters));
+      if (input_.is_binary && parameters == 0) {
+        read_binary_nodes(count);
+        continue;
+      }
       for (std::uint64_t n = 0; n < count; ++n) {
         row();
         read_tag_of_node<std::uint64_t>();
@@ -116,12 +122,30 @@ class Reader : private GmshRows {
     if (left > 0) refuse_rows();
   }
 
+  // A block of version 4.1: the tags of its nodes, and then where these lie.
+  void read_binary_nodes(std::uint64_t count) {
+    const std::uint64_t offset = input_.offset_of(input_.at());
+    const char* tags = input_.skip(8 * count);
+    const char* positions = input_.skip(24 * count);
+    const std::size_t before = file_.nodes.size();
+    file_.node_tags.resize(before + count);
+    file_.node_places.resize(before + count);
+    file_.nodes.resize(before + count);
+    physgen::detail::for_each_index<4>(0, static_cast<index_t>(count), [&](index_t i) {
+      const auto n = static_cast<std::size_t>(i);
+      file_.node_places[before + n] = offset + 8 * n;
+      std::memcpy(&file_.node_tags[before + n], tags + 8 * n, 8);
+      std::memcpy(file_.nodes[before + n].data(), positions + 24 * n, 24);
+    });
+  }
+
   // ---- Elements
 
   // The nodes of an element, which are next.
   template <class Stored>
   void read_element(const GmshKind& kind, std::int64_t owner, std::uint64_t tag, std::uint64_t place) {
-    file_.add_to_run(kind.dimension, owner, kind.type, kind.type == gmsh_tet ? file_.tets.size() : file_.others.size());
+    file_.add_to_run(kind.dimension, owner, kind.type, kind.type == gmsh_tet ? file_.tets.size() : file_.others.size(),
+                     1);
     ++found_.at(static_cast<std::size_t>(&kind - gmsh_kinds.data()));
     if (kind.type == gmsh_tet) {
       require_fits(1);
@@ -196,6 +220,11 @@ class Reader : private GmshRows {
       input_.end_row();
       require_rows(count, 8 * (1 + kind.nodes));
       if (kind.type == gmsh_tet) require_fits(count);
+      if (kind.type == gmsh_tet && input_.is_binary) {
+        read_binary_tets(entity, count);
+        found_.at(static_cast<std::size_t>(&kind - gmsh_kinds.data())) += count;
+        continue;
+      }
       for (std::uint64_t e = 0; e < count; ++e) {
         row();
         const std::uint64_t offset = input_.offset_of(input_.here());
@@ -205,6 +234,24 @@ class Reader : private GmshRows {
       }
     }
     if (left > 0) refuse_rows();
+  }
+
+  // A block of version 4.1: of each tet its tag and the tags of its nodes.
+  void read_binary_tets(std::int64_t entity, std::uint64_t count) {
+    if (count == 0) return;
+    const std::uint64_t offset = input_.offset_of(input_.at());
+    const char* rows = input_.skip(40 * count);
+    const std::size_t before = file_.tets.size();
+    file_.add_to_run(3, entity, gmsh_tet, before, count);
+    file_.tet_tags.resize(before + count);
+    file_.tet_places.resize(before + count);
+    file_.tets.resize(before + count);
+    physgen::detail::for_each_index<4>(0, static_cast<index_t>(count), [&](index_t i) {
+      const auto t = static_cast<std::size_t>(i);
+      file_.tet_places[before + t] = offset + 40 * t;
+      std::memcpy(&file_.tet_tags[before + t], rows + 40 * t, 8);
+      std::memcpy(file_.tets[before + t].data(), rows + 40 * t + 8, 32);
+    });
   }
 
   GmshSections file_;

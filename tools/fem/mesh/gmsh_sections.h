@@ -15,10 +15,10 @@ namespace physgen::fem {
 
 /// In the file's order. Places are offsets in the file [bytes].
 struct GmshSections {
-  std::vector<std::uint64_t> node_tags, node_places;
+  std::vector<std::uint64_t> node_tags, tet_tags;
+  HostList<std::uint64_t> node_places, tet_places;
   std::vector<Point> nodes;
-  std::vector<std::uint64_t> tet_tags, tet_places;
-  std::vector<std::array<std::uint64_t, 4>> tets;  ///< tags of their nodes
+  HostList<std::array<std::uint64_t, 4>> tets;  ///< tags of their nodes
   struct Use {
     std::uint64_t element, node;
   };
@@ -35,12 +35,12 @@ struct GmshSections {
   std::vector<GmshEntity> entities;  ///< of version 4.1, that belong to groups
   double version = 1;
 
-  /// @param at the number of its first entry among tets, or among the others' nodes
-  void add_to_run(int dimension, std::int64_t owner, int type, std::size_t at) {
+  /// @param at the number of the first entry of `count` elements among tets, or among the others' nodes
+  void add_to_run(int dimension, std::int64_t owner, int type, std::size_t at, std::size_t count) {
     if (runs.empty() || runs.back().dimension != dimension || runs.back().owner != owner || runs.back().type != type) {
       runs.push_back({dimension, owner, type, at, 0});
     }
-    ++runs.back().count;
+    runs.back().count += count;
   }
 };
 

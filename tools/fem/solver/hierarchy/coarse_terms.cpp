@@ -1,97 +1,18 @@
 // Coarse node by coarse node: what connects it with higher ones is found among the edges of its children.
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/coarse_terms.h>
-#include <fem/solver/hierarchy/galerkin_block.h>
+#include <fem/solver/hierarchy/galerkin_terms.h>
 #include <fem/solver/hierarchy/node_rows.h>
+
+#include <algorithm>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace physgen::fem::detail {
 
 namespace {
-
-Index code(GalerkinBlock kind, int quarters) { return static_cast<Index>(galerkin_code(kind, quarters)); }
-
-// A term of a block between a coarse node and a higher one.
-struct Term {
-  Index other;       // the higher node
-  Index element;     // fine node or edge
-  Index local;       // galerkin_code()
-  bool is_edge;      // else of a fine node
-  std::size_t turn;  // in which it comes among those of its element
-};
-
-// Each term of a coarse node with higher ones. Nested meshes: a node has one parent, or two with a half each.
-class NestedTerms {
- public:
-  explicit NestedTerms(const LevelGraph& fine) : fine_(fine) {}
-
-  // Calls act(Term) for those of one child; node `coarse` is among its parents.
-  template <class Act>
-  void operator()(Index coarse, Index child, const Act& act) const {
-    const auto& own = fine_.parents[at(child)];
-    const bool has_one = own[0] == own[1];
-    const std::size_t own_turn = own[0] == coarse ? 0 : 1;
-    if (!has_one) {
-      const Index other = own[1 - own_turn];
-      if (other > coarse) act(Term{other, child, code(GalerkinBlock::node, 1), false, 0});
-    }
-    for (Index k = fine_.node_edges.first[at(child)]; k < fine_.node_edges.first[at(child) + 1]; ++k) {
-      const auto [edge, side] = fine_.node_edges.entries[at(k)];
-      const auto& others = fine_.parents[at(fine_.edges[at(edge)][at(1 - side)])];
-      const std::size_t count = others[0] == others[1] ? 1 : 2;
-      const int quarters = (has_one ? 4 : 2) / static_cast<int>(count);
-      for (std::size_t j = 0; j < count; ++j) {
-        if (others[j] <= coarse) continue;
-        const std::size_t turn = side == 0 ? 2 * own_turn + j : 2 * j + own_turn;
-        act(Term{others[j], edge, code(side == 0 ? GalerkinBlock::edge : GalerkinBlock::reverse, quarters), true,
-                 turn});
-      }
-    }
-  }
-
- private:
-  const LevelGraph& fine_;
-};
-
-// Background grids: a node has up to four parents with any weights, which are looked up later.
-class GridTerms {
- public:
-  explicit GridTerms(const LevelGraph& fine) : fine_(fine) {}
-
-  template <class Act>
-  void operator()(Index coarse, Index child, const Act& act) const {
-    const GridLocation& own = fine_.grid_parents[at(child)];
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (is_higher(own, j, coarse)) act(Term{own.nodes[j], child, code(GalerkinBlock::node, 1), false, 0});
-    }
-    for (Index k = fine_.node_edges.first[at(child)]; k < fine_.node_edges.first[at(child) + 1]; ++k) {
-      const auto [edge, side] = fine_.node_edges.entries[at(k)];
-      const GridLocation& others = fine_.grid_parents[at(fine_.edges[at(edge)][at(1 - side)])];
-      const bool seen_from_other = side == 1 && has(others, coarse);
-      for (std::size_t j = 0; j < 4; ++j) {
-        if (!is_higher(others, j, coarse) || (seen_from_other && has(own, others.nodes[j]))) continue;
-        act(Term{others.nodes[j], edge, code(GalerkinBlock::edge, 1), true, 0});
-      }
-    }
-  }
-
- private:
-  static bool has(const GridLocation& location, Index node) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (location.nodes[k] == node && location.weights[k] != 0) return true;
-    }
-    return false;
-  }
-  // Of a node that several corners name, the first of them with a weight counts.
-  static bool is_higher(const GridLocation& location, std::size_t j, Index coarse) {
-    if (location.nodes[j] <= coarse || location.weights[j] == 0) return false;
-    for (std::size_t k = 0; k < j; ++k) {
-      if (location.nodes[k] == location.nodes[j] && location.weights[k] != 0) return false;
-    }
-    return true;
-  }
-
-  const LevelGraph& fine_;
-};
 
 template <class Act>
 void with_terms(const LevelGraph& fine, const Act& act) {
@@ -102,47 +23,145 @@ void with_terms(const LevelGraph& fine, const Act& act) {
   }
 }
 
-// Calls act(Term) for all terms of a coarse node. A child that names it twice is there once.
-template <class Terms, class Act>
-void each_term(const LevelGraph& fine, const Terms& terms, Index coarse, const Act& act) {
-  Index last = -1;
+// A child that names the node twice is there once.
+template <class Act>
+void each_child(const LevelGraph& fine, Index coarse, const Act& act) {
+  Index last = none;
   for (Index k = fine.children.first[at(coarse)]; k < fine.children.first[at(coarse) + 1]; ++k) {
     const Index child = fine.children.entries[at(k)].element;
-    if (child != last) terms(coarse, child, act);
+    if (child != last) act(child);
     last = child;
   }
 }
 
-// The terms of one coarse node, in the order of its higher ones. Sorted, numbers are those of IncidenceEntry.
-struct TermsOfNode {
-  HigherNodes others;
-  std::vector<std::uint64_t> terms;
+// The edges of a node that have it as this side.
+template <class Act>
+void each_edge(const LevelGraph& fine, Index node, Index side, const Act& act) {
+  for (Index k = fine.node_edges.first[at(node)]; k < fine.node_edges.first[at(node) + 1]; ++k) {
+    const auto [edge, own] = fine.node_edges.entries[at(k)];
+    if (own == side) act(edge);
+  }
+}
 
-  static constexpr int element_from = 8, turn_from = 4, is_edge_at = 40;
-  static std::uint64_t packed(const Term& term) {
-    return std::uint64_t{term.is_edge} << is_edge_at | std::uint64_t(std::uint32_t(term.element)) << element_from |
-           std::uint64_t{term.turn} << turn_from | std::uint64_t(std::uint32_t(term.local));
+// The lower ends of the edges of a coarse node's children. A thread that finds them for many has one of these.
+class LowerEnds {
+ public:
+  explicit LowerEnds(Index fine_nodes) : of_(at(fine_nodes), none) {}
+
+  // Ascending. @param coarse another one each time. @param at_child called for each child, ascending
+  template <class AtChild>
+  std::span<const Index> find(const LevelGraph& fine, Index coarse, const AtChild& at_child) {
+    nodes_.clear();
+    each_child(fine, coarse, [&](Index child) {
+      at_child(child);
+      add(coarse, child);
+      each_edge(fine, child, 1, [&](Index edge) { add(coarse, fine.edges[at(edge)][0]); });
+    });
+    sort_row(nodes_.data(), nodes_.data() + nodes_.size());
+    return nodes_;
   }
-  static IncidenceEntry unpacked(std::uint64_t term) {
-    return {static_cast<Index>(term >> element_from & 0x7FFFFFFF), static_cast<Index>(term & 0xF)};
+
+ private:
+  void add(Index coarse, Index node) {
+    if (std::exchange(of_[at(node)], coarse) != coarse) nodes_.push_back(node);
   }
+
+  std::vector<Index> of_, nodes_;
+};
+
+// Calls act(other, element, code) for all terms of a coarse node: those of fine nodes, and then those of fine edges,
+// both ascending, each edge once. `other` is any node, or `none`.
+template <class Terms, class Act>
+void each_term(const LevelGraph& fine, const Terms& terms, Index coarse, LowerEnds& ends, const Act& act) {
+  const auto lower = ends.find(fine, coarse, [&](Index child) {
+    terms.of_node(coarse, child, [&](Index other, Index code) { act(other, child, code); });
+  });
+  for (const Index a : lower) {
+    const bool is_child = terms.is_child(a, coarse);
+    each_edge(fine, a, 0, [&](Index edge) {
+      const Index b = fine.edges[at(edge)][1];
+      if (!is_child && !terms.is_child(b, coarse)) return;
+      terms.of_edge(coarse, a, b, [&](Index other, Index code) { act(other, edge, code); });
+    });
+  }
+}
+
+// The terms of one coarse node, and where the next one goes with each higher node. The first place takes what is none
+// of them.
+struct TermsOfNode {
+  std::vector<Index> places;
+  LowerEnds ends;
+  std::vector<IncidenceEntry> terms;
 };
 
 }  // namespace
 
+GridCounts::GridCounts(const LevelGraph& fine, const GridTerms& terms, Index coarse_nodes)
+    : terms_(terms), of_pairs_(at(fine.nodes)) {
+  append_rows(
+      Host{}, fine.nodes, [=] { return TermCounts(coarse_nodes); },
+      [&](index_t n, TermCounts& counts, std::vector<Others>& row) {
+        const auto& own = terms.parents_of(static_cast<Index>(n));
+        auto& of_pairs = of_pairs_[at(n)];
+        of_pairs.fill(1);  // the term of the node
+        for (Index k = fine.node_edges.first[at(n)]; k < fine.node_edges.first[at(n) + 1]; ++k) {
+          const auto [edge, side] = fine.node_edges.entries[at(k)];
+          const auto& others = terms.parents_of(fine.edges[at(edge)][at(1 - side)]);
+          for (const Index other : others) counts.add(other);
+          if (side == 1) continue;
+          std::array<bool, 4> has{};
+          for (std::size_t i = 0; i < 4; ++i) has[i] = GridTerms::is_among(others, own[i]);
+          for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t j = i + 1; j < 4; ++j) of_pairs[pair_of[i][j]] -= has[i] && has[j] ? 1 : 0;
+          }
+        }
+        counts.take_higher(none, [&](Index other, Index count) { row.push_back({other, count}); });
+      },
+      first_, others_);
+}
+
+void GridCounts::add(Index coarse, Index child, TermCounts& counts) const {
+  for (Index k = first_[at(child)]; k < first_[at(child) + 1]; ++k) {
+    counts.add(others_[at(k)].other, others_[at(k)].count);
+  }
+  const auto& parents = terms_.parents_of(child);
+  const auto own = static_cast<std::size_t>(std::ranges::find(parents, coarse) - parents.begin());
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k != own) counts.add(parents[k], of_pairs_[at(child)][pair_of[own][k]]);
+  }
+}
+
 CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes) {
   InStage stage("coarse pairs");
   CoarsePairs found;
-  with_terms(fine, [&](const auto& terms) {
+  const auto append = [&](const auto& make_scratch, const auto& count) {
     append_rows(
-        Host{}, coarse_nodes, [=] { return HigherNodes(coarse_nodes); },
-        [&](index_t coarse, HigherNodes& others, std::vector<CoarsePairs::Pair>& row) {
+        Host{}, coarse_nodes, make_scratch,
+        [&](index_t coarse, auto& own, std::vector<CoarsePairs::Pair>& row) {
           const auto node = static_cast<Index>(coarse);
-          others.begin(node);
-          each_term(fine, terms, node, [&](const Term& term) { ++others.add(term.other); });
-          for (const Index other : others.sorted()) row.push_back({other, others.number(other)});
+          count(node, own);
+          own.counts.take_higher(node, [&](Index other, Index terms) { row.push_back({other, terms}); });
         },
         found.first, found.pairs);
+  };
+  struct Scratch {
+    TermCounts counts;
+    LowerEnds ends;
+  };
+  with_terms(fine, [&]<class Terms>(const Terms& terms) {
+    if constexpr (std::is_same_v<Terms, GridTerms>) {
+      const GridCounts counts(fine, terms, coarse_nodes);
+      append([&] { return Scratch{TermCounts(coarse_nodes), LowerEnds(0)}; },
+             [&](Index node, Scratch& own) {
+               each_child(fine, node, [&](Index child) { counts.add(node, child, own.counts); });
+             });
+    } else {
+      append([&] { return Scratch{TermCounts(coarse_nodes), LowerEnds(fine.nodes)}; },
+             [&](Index node, Scratch& own) {
+               each_term(fine, terms, node, own.ends,
+                         [&](Index other, Index /*element*/, Index /*code*/) { own.counts.add(other); });
+             });
+    }
   });
   stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents, found.first,
               found.pairs);
@@ -166,20 +185,20 @@ IncidenceList coarse_terms(const LevelGraph& fine, const CoarsePairs& pairs, con
   list.entries.resize(at(exclusive_scan(Host{}, std::span(list.first))));
   with_terms(fine, [&](const auto& terms) {
     each_node(
-        coarse.nodes, [&] { return TermsOfNode{HigherNodes(coarse.nodes), {}}; },
+        coarse.nodes, [&] { return TermsOfNode{std::vector<Index>(at(coarse.nodes) + 1), LowerEnds(fine.nodes), {}}; },
         [&](Index node, TermsOfNode& own) {
           const Index from = first[at(node)], to = first[at(node) + 1], begin = list.first[at(from)];
-          own.terms.resize(at(list.first[at(to)] - begin));
-          for (Index e = from; e < to; ++e) own.others.number(coarse.edges[at(e)][1]) = list.first[at(e)] - begin;
-          each_term(fine, terms, node, [&](const Term& term) {
-            own.terms[at(own.others.number(term.other)++)] = TermsOfNode::packed(term);
-          });
+          own.terms.resize(at(list.first[at(to)] - begin) + 1);
           for (Index e = from; e < to; ++e) {
-            sort_row(own.terms.data() + list.first[at(e)] - begin, own.terms.data() + list.first[at(e) + 1] - begin);
+            own.places[at(coarse.edges[at(e)][1]) + 1] = list.first[at(e)] - begin + 1;
           }
-          for (std::size_t k = 0; k < own.terms.size(); ++k) {
-            list.entries[at(begin) + k] = TermsOfNode::unpacked(own.terms[k]);
-          }
+          each_term(fine, terms, node, own.ends, [&](Index other, Index element, Index code) {
+            Index& place = own.places[at(index_t{other} + 1)];
+            const bool is_higher = other > node;
+            own.terms[at(is_higher ? place : 0)] = {element, code};
+            place += is_higher ? 1 : 0;
+          });
+          std::copy(own.terms.begin() + 1, own.terms.end(), list.entries.begin() + begin);
         });
   });
   stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents, coarse.edges,
