@@ -229,7 +229,9 @@ class Harness:
     def joined(self, blocks, mine="#pragma once\n", *options):
         """@return names of the blocks of which steps are joined: what physgen writes of the others is their own text"""
         self.write_all(blocks, mine)
-        self.call(self.physgen, "scene", "scenes/blocks.h", "-o", "out", *options, "--", *self.flags)
+        if not (self.folder / "headers.pch").exists():  # the runtime's headers are read once
+            self.call(self.physgen, "precompile", "-o", "headers.pch", "--", *self.flags)
+        self.call(self.physgen, "scene", "scenes/blocks.h", "-o", "out", "--precompiled", "headers.pch", *options, "--", *self.flags)
         text = json.dumps(json.loads((self.folder / "out/blocks.need.json").read_text())["groups"])
         return {block.name for block in blocks if any(f'body.{name}"' in text for _, name, _ in arrays(block))}
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -58,8 +59,18 @@ const std::string two_steps =
     "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"
     "    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n";
 
+const std::string flags = "-I. -Igenerated " PHYSGEN_FLAGS;
+
+/// The runtime's headers are read once, as in builds; what is written without is compared in a test.
 class SceneCommand : public Command {
  protected:
+  static void SetUpTestSuite() {
+    shared = std::make_unique<Folder>();
+    const std::string line =
+        "cd '" + (*shared / ".") + "' && '" PHYSGEN_COMMAND "' precompile -o headers.pch -- " + flags;
+    ASSERT_EQ(std::system(line.c_str()), 0);
+  }
+
   void SetUp() override {
     folder.write("particles.h", schema);
     folder.write("kernel.h", kernel({"a"}));
@@ -71,8 +82,10 @@ class SceneCommand : public Command {
   [[nodiscard]] std::string written(const std::string& name) const { return text_of(folder / ("out/" + name)); }
 
   Outcome scene(const std::string& arguments) const {
-    return run("scene scenes/particles.h " + arguments + " -- -I. -Igenerated " PHYSGEN_FLAGS);
+    return run("scene scenes/particles.h --precompiled '" + (*shared / "headers.pch") + "' " + arguments + " -- " +
+               flags);
   }
+  static inline std::unique_ptr<Folder> shared;
 };
 
 TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
@@ -127,14 +140,14 @@ TEST_F(SceneCommand, writes_arrays_for_several_ranks_of_a_scene_that_says_what_i
 }
 
 TEST_F(SceneCommand, writes_the_same_from_a_precompiled_header_and_refuses_one_that_does_not_fit) {
-  const std::string flags = " -- -I" + (folder / "own") + " -I. -Igenerated " PHYSGEN_FLAGS;
+  const std::string own = " -- -I" + (folder / "own") + " " + flags;
   folder.write("own/physgen/probe.h", "#pragma once\n#include_next <physgen/probe.h>\n");  // as a header that changes
-  const auto precompile = run("precompile -o build/x.pch --stamp stamp --depfile depfile" + flags);
+  const auto precompile = run("precompile -o build/x.pch --stamp stamp --depfile depfile" + own);
   ASSERT_EQ(precompile.status, 0) << precompile.err;
   EXPECT_NE(text_of(folder / "depfile").find("/physgen/probe.h"), std::string::npos) << text_of(folder / "depfile");
-  ASSERT_EQ(run("scene scenes/particles.h -o out --stamp s --depfile one.d" + flags).status, 0);
+  ASSERT_EQ(run("scene scenes/particles.h -o out --stamp s --depfile one.d" + own).status, 0);
   const std::string fast = "scene scenes/particles.h -o fast --stamp s --depfile two.d --precompiled build/x.pch";
-  const auto outcome = run(fast + flags);
+  const auto outcome = run(fast + own);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   ASSERT_EQ(files("fast"), files("out"));
   for (const std::string& name : files("out")) EXPECT_EQ(text_of(folder / ("fast/" + name)), written(name)) << name;
@@ -148,25 +161,25 @@ TEST_F(SceneCommand, writes_the_same_from_a_precompiled_header_and_refuses_one_t
   EXPECT_EQ(headers("two.d"), headers("one.d"));
 
   folder.write("own/physgen/probe.h", "#pragma once\n#include_next <physgen/probe.h>\nstruct Another;\n");
-  const auto changed = run(fast + flags);
+  const auto changed = run(fast + own);
   EXPECT_EQ(changed.status, 1);
   EXPECT_NE(changed.err.find("own/physgen/probe.h' has been modified since the precompiled header"), std::string::npos)
       << changed.err;
-  const auto another = run(fast + flags + " -DNDEBUG=2");
+  const auto another = run(fast + own + " -DNDEBUG=2");
   EXPECT_EQ(another.status, 1);
   EXPECT_NE(another.err.find("note: write it again with 'physgen precompile', with the same flags behind '--'"),
             std::string::npos)
       << another.err;
-  const auto missing = run("scene scenes/particles.h --precompiled none.pch" + flags);
+  const auto missing = run("scene scenes/particles.h --precompiled none.pch" + own);
   EXPECT_EQ(missing.status, 2);
   EXPECT_EQ(missing.err, "physgen: error: cannot read 'none.pch': No such file or directory\n");
-  const auto over = run("precompile -o own/physgen/probe.h" + flags);
+  const auto over = run("precompile -o own/physgen/probe.h" + own);
   EXPECT_EQ(over.status, 2);
   EXPECT_EQ(over.err,
             "physgen: error: cannot write 'own/physgen/probe.h': it is there, and is no precompiled header; remove it, "
             "or name another file\n");
   folder.write("other.device", "of the user\n");
-  const auto beside = run("precompile -o other --device" + flags);
+  const auto beside = run("precompile -o other --device" + own);
   EXPECT_EQ(beside.status, 2);
   EXPECT_EQ(
       beside.err,

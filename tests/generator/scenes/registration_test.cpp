@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -35,10 +36,16 @@ std::string path_of(const std::string& name) {
   const std::string tested = PHYSGEN_TESTED_SCENE_FOLDER "/" + name + ".h";
   return fs::exists(tested) ? tested : PHYSGEN_SCENE_FOLDER "/" + name + ".h";
 }
-scenes::Scene scene_of(const std::string& name) {
-  const auto declaration = scenes::read(path_of(name), flags());
-  EXPECT_TRUE(declaration.scene) << declaration.diagnostics;
-  return declaration.scene ? *declaration.scene : scenes::Scene();
+/// Reads a scene, once, since that takes seconds.
+const scenes::Scene& scene_of(const std::string& name) {
+  static std::map<std::string, scenes::Scene> once;
+  const auto [entry, is_new] = once.try_emplace(name);
+  if (is_new) {
+    const auto declaration = scenes::read(path_of(name), flags());
+    EXPECT_TRUE(declaration.scene) << declaration.diagnostics;
+    if (declaration.scene) entry->second = *declaration.scene;
+  }
+  return entry->second;
 }
 std::string unit_of(const std::string& name, const std::string& space) {
   return scenes::probe_unit(scene_of(name), space, path_of(name));
