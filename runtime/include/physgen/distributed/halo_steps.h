@@ -2,11 +2,14 @@
 // for, which fields of ghosts are fetched before, and which are stale behind it.
 #pragma once
 
+#include <physgen/distributed/halo_exchange.h>
 #include <physgen/distributed/kernel_view.h>
 #include <physgen/distributed/partition.h>
 #include <physgen/launch/reduce.h>
 
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -47,7 +50,8 @@ class HaloSteps {
 
   /// @param poisons whether fields of ghosts become signalling NaN (index fields: the lowest number) when they turn
   /// stale, so that a step that reads them, which nothing here knows of, does not go unseen
-  HaloSteps(Partition& arrays, bool poisons) : arrays_(arrays), poisons_(poisons) {}
+  /// @param exchange by which fields cross; none: through the host's memory
+  HaloSteps(Partition& arrays, bool poisons, std::unique_ptr<HaloExchange> exchange = nullptr);
 
   /// Fetches what the step needs. One step ends before the next one begins.
   /// @param size with which the program calls the kernel
@@ -55,7 +59,7 @@ class HaloSteps {
   /// known over which set it runs, or when it is begun inside of another step
   [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, Way way);
   /// Waits for what begin() left crossing.
-  void arrive();
+  void arrive() { exchange_->end(); }
   /// Behind the step that was begun last.
   void end();
   /// The same for a part of a reduction: its objects are those of the whole. Fields cross before the first part alone,
@@ -71,10 +75,7 @@ class HaloSteps {
   [[nodiscard]] const std::set<std::string>& unknown() const { return unknown_; }
 
  private:
-  struct Field {
-    int array, field;
-    auto operator<=>(const Field&) const = default;
-  };
+  using Field = HaloField;
   struct Step {
     int set = -1;  ///< that it runs over
     std::set<Field> own, gathered, written;
@@ -102,7 +103,6 @@ class HaloSteps {
   void begin_exchange(const std::vector<Field>& fields);
   /// Owned objects of a set that name no ghost of sets of which fields cross.
   [[nodiscard]] std::vector<Range> inner_of(const DistributedSet& over, Way way) const;
-  void poison(const Field& field);
   [[nodiscard]] const DistributedSet& set_of_array(int array) const;
   [[nodiscard]] std::string name_of(const Field& field) const;
 
@@ -112,11 +112,8 @@ class HaloSteps {
   const Step* current_ = nullptr;  ///< that was begun and is not ended
   std::string current_name_;
   bool on_ghosts_ = false;
-  /// What crosses, by peer.
-  struct Exchange {
-    std::vector<Field> fields;
-    std::vector<std::vector<std::byte>> sent, received;
-  } exchange_;
+  std::unique_ptr<HaloExchange> exchange_;
+  std::uint64_t crossing_ = 0;  ///< bit s % 64 where fields of set s cross
   /// A reduction of which not all parts are done: `name` of its kernel, or null.
   struct OpenReduction {
     const std::string* name = nullptr;

@@ -53,6 +53,10 @@ class Transport {
   /// Kernels were called between begin() and end().
   void count_overlap() { ++traffic_.overlapped; }
 
+ protected:
+  /// Goes on where another one has counted so far.
+  explicit Transport(const Traffic& so_far) : traffic_(so_far) {}
+
  private:
   virtual void begin_messages(std::span<const Message> messages) = 0;
   virtual void gather_bytes(std::span<const std::byte> mine, std::span<const index_t> sizes,
