@@ -126,7 +126,9 @@ struct Mix {
   using Scalar = typename MeanView::Precision;
   ForceView forces;
   MeanView means;
-  PHYSGEN_FUNCTION void operator()(index_t i) const { means[i].dx() = (means[i].dx().get() * 0.5F + forces[i].f().get() * 0.5F).eval(); }
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    means[i].dx() = (means[i].dx().get() * 0.5F + forces[i].f().get() * 0.5F).eval();
+  }
 };
 template <class... V>
 Mix(V...) -> Mix<V...>;
@@ -136,7 +138,9 @@ struct Drift {
   using Scalar = typename PositionView::Precision;
   MeanView means;
   PositionView positions;
-  PHYSGEN_FUNCTION void operator()(index_t i) const { positions[i].x() = (positions[i].x().get() + means[i].dx().get() * 0.5F).eval(); }
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    positions[i].x() = (positions[i].x().get() + means[i].dx().get() * 0.5F).eval();
+  }
 };
 template <class... V>
 Drift(V...) -> Drift<V...>;

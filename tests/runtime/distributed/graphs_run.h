@@ -107,9 +107,9 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
   const Graph graph(nodes, random);
   const bool follows = random() % 2 == 0;
   Body whole, mine;
-  fill_anywhere(whole, graph);
   DistributedArrays arrays(ranks, uses);
   distribute(arrays, mine, graph, follows);
+  fill_anywhere(whole, graph);  // behind cut(), which chooses the device
   arrays.fill(mine.positions, whole.positions);
   On plain = make_plain<On>(std::max({nodes, whole.edges.size(), whole.quads.size()}));
   DistributedExecutor<On> on(ranks, arrays, {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
@@ -191,9 +191,15 @@ int run(int argc, char** argv) {
   index_t found = 0, overlapped = 0;
   for (unsigned seed = first; seed < last; ++seed) {
     ranks.guard([&] {
-      if (seed % 3 == 0) found += run_seed<On, InFloat<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      // nvcc takes minutes for each of these.
+      constexpr bool has_all = std::is_same_v<Space, Host>;
+      if constexpr (has_all) {
+        if (seed % 3 == 0) found += run_seed<On, InFloat<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      }
       if (seed % 3 == 1) found += run_seed<On, InDouble<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
-      if (seed % 3 == 2) found += run_seed<On, InHalf<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      if (seed % 3 == 2 || (!has_all && seed % 3 == 0)) {
+        found += run_seed<On, InHalf<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      }
     });
   }
   if (ranks.is_first())

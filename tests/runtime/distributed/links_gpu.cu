@@ -1,6 +1,6 @@
-// What crossing between GPUs costs: exchanges of two neighbours and gathers of all ranks, of 16 B, 12 kB, 336 kB and 4 MB, by
-// NCCL step by step and in a replayed graph of four rounds, and through pinned memory and MPI. Every byte is compared.
-// Prints a line of JSON for each, with the median of five series.
+// What crossing between GPUs costs: exchanges of two neighbours and gathers of all ranks, of 16 B, 12 kB, 336 kB and 4
+// MB, by NCCL step by step and in a replayed graph of four rounds, and through pinned memory and MPI. Every byte is
+// compared. Prints a line of JSON for each, with the median of five series.
 //
 //   --devices       says how many there are, and no more
 //   --conditional   tries NCCL in the body of a loop whose rounds the device decides on
@@ -58,7 +58,8 @@ class Links {
     const int peer = ranks_.rank() ^ 1;
     std::vector<Message> messages;
     const auto count = static_cast<std::size_t>(bytes_);
-    if (peer < ranks_.count()) messages.push_back({peer, {sent_.data(), count}, {received_.data() + peer * bytes_, count}});
+    if (peer < ranks_.count())
+      messages.push_back({peer, {sent_.data(), count}, {received_.data() + peer * bytes_, count}});
     by_.transport->begin(messages);
     by_.transport->end();
   }
@@ -87,8 +88,10 @@ class Links {
     }
     std::ranges::sort(times);
     if (!ranks_.is_first()) return;
-    std::printf(R"({"what": "%s", "how": "%s", "by": "%s", "ranks": %d, "bytes": %lld, "us": %.2f, "least_us": %.2f})" "\n", what,
-                how, by_.name.c_str(), ranks_.count(), static_cast<long long>(bytes_), times[series / 2], times[0]);
+    std::printf(R"({"what": "%s", "how": "%s", "by": "%s", "ranks": %d, "bytes": %lld, "us": %.2f, "least_us": %.2f})"
+                "\n",
+                what, how, by_.name.c_str(), ranks_.count(), static_cast<long long>(bytes_), times[series / 2],
+                times[0]);
     std::fflush(stdout);
   }
 
@@ -102,7 +105,8 @@ class Links {
     for (int k = 0; k < rounds_of_graph; ++k) round();
     check(cudaStreamEndCapture(stream(), &graph));
     check(cudaGraphInstantiate(&executable, graph, 0));
-    measure(what, "graph of 4 rounds", rounds_of_graph, from_all, [&] { check(cudaGraphLaunch(executable, stream())); });
+    measure(what, "graph of 4 rounds", rounds_of_graph, from_all,
+            [&] { check(cudaGraphLaunch(executable, stream())); });
     cudaGraphExecDestroy(executable);
     cudaGraphDestroy(graph);
   }

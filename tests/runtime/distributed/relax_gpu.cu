@@ -1,5 +1,5 @@
-// relax on CUDA: the springs of a lattice, on as many ranks as it is started with, each with a GPU of its own; prints what
-// relax prints.
+// relax on CUDA: the springs of a lattice, on as many ranks as it is started with, each with a GPU of its own; prints
+// what relax prints.
 //
 //   --cells N    edges of the lattice along each side (default 24)
 //   --steps N    at most (default 20)
@@ -7,12 +7,14 @@
 //   --plain      arrays of all objects, without anything of distributed/ (one process)
 //   --near       no edges to far nodes
 //   --no-table   no kernel is known
+//   --poison 0   stale ghosts keep their values
 //   --kill R     rank R is killed in its steps, by a signal that it cannot handle
 //   --fill R     rank R takes the memory of its GPU before it makes its arrays
 // Exit status: 77 where there is no CUDA device.
 #include <physgen/distributed/cuda/executor.h>
 #include <relax.distributed.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +30,7 @@ using Body = scenes::relax_scene::Body<Cuda>;
 struct Options {
   index_t cells = 24;
   int steps = 20, kill = -1, fill = -1;
-  bool plain = false, is_near = false, pinned = false, has_table = true;
+  bool plain = false, is_near = false, pinned = false, has_table = true, poisons = true;
 };
 
 template <class Array>
@@ -83,20 +85,23 @@ void run_steps(const Ranks& ranks, On& on, Body& body, const Options& options, c
     on.wait();
     if (options.kill == ranks.rank()) std::raise(SIGKILL);
   }
+  const auto start = std::chrono::steady_clock::now();
   scenes::relax::program(on, body, options.steps, at_rest, -1);
   on.wait();
+  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
   const Traffic traffic = on.traffic();
   Digest digest;
   each_block([&](index_t /*first*/, auto positions) { add(digest, positions); });
   std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers) +
                      " overlapped " + std::to_string(traffic.overlapped);
   for (const std::string& kernel : on.unknown_kernels()) more += " unknown " + kernel;
-  if (ranks.is_first()) print(digest, body, more + " by " + on.transport_name());
+  more += " us/step " + std::to_string(time.count() / options.steps) + " by " + on.transport_name();
+  if (ranks.is_first()) print(digest, body, more);
 }
 
 void run_distributed(const Ranks& ranks, const Mesh& mesh, const Options& options) {
-  scenes::relax_scene::Distributed<Cuda> body(ranks,
-                                              {.node = mesh.nodes(), .edge = mesh.springs(), .end = 2 * mesh.springs()});
+  scenes::relax_scene::Distributed<Cuda> body(
+      ranks, {.node = mesh.nodes(), .edge = mesh.springs(), .end = 2 * mesh.springs()});
   body.connect(body.edges, [&](index_t e) { return mesh.edge(e); });
   body.connect(body.ranges, body.ends, [&](index_t node) -> const auto& { return mesh.row(node); });
   body.cut();
@@ -109,7 +114,8 @@ void run_distributed(const Ranks& ranks, const Mesh& mesh, const Options& option
     cudaGetLastError();
     const elasticity::NodePositionArray<double, Cuda> one_more(1 << 20);
   }
-  DistributedExecutor<CudaExecutor> on(ranks, body, {.poisons_stale_ghosts = true, .uses_nccl = !options.pinned});
+  DistributedExecutor<CudaExecutor> on(ranks, body,
+                                       {.poisons_stale_ghosts = options.poisons, .uses_nccl = !options.pinned});
   run_steps(ranks, on, body, options, [&](const auto& use) { body.each_block(body.positions, use, 1 << 16); });
 }
 
@@ -131,7 +137,8 @@ void run_without_table(const Ranks& ranks, const Mesh& mesh, const Options& opti
                       [&](index_t node) -> const auto& { return mesh.row(node); });
   arrays.cut();
   arrays.fill(body.positions, [&](index_t node) { return mesh.position(node); });
-  DistributedExecutor<CudaExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true, .uses_nccl = !options.pinned});
+  DistributedExecutor<CudaExecutor> on(ranks, arrays,
+                                       {.poisons_stale_ghosts = options.poisons, .uses_nccl = !options.pinned});
   run_steps(ranks, on, body, options, [&](const auto& use) { arrays.each_block(body.positions, use, 1 << 16); });
 }
 
@@ -153,6 +160,8 @@ Options read(int argc, char** argv) {
       options.cells = std::atoi(argv[++a]);
     else if (what == "--steps")
       options.steps = std::atoi(argv[++a]);
+    else if (what == "--poison")
+      options.poisons = std::atoi(argv[++a]) != 0;
     else if (what == "--kill")
       options.kill = std::atoi(argv[++a]);
     else if (what == "--fill")

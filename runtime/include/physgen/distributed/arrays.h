@@ -124,8 +124,8 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
   for (index_t i = objects.first(); i < objects.last(); ++i) numbers.push_back(objects.global(i));
   const auto& same = detail::in_form_of<detail::OnHost<Array>>(whole);
   const detail::Numbers order(numbers, {});
-  detail::edit_on_host(
-      array, [&](auto& here) { detail::pick(here.untyped(), objects.first(), same.untyped(), &order); });
+  detail::edit_on_host(array,
+                       [&](auto& here) { detail::pick(here.untyped(), objects.first(), same.untyped(), &order); });
   set_fresh(number_of_this(array), true);
 }
 

@@ -1,5 +1,5 @@
-// How fields of ghosts cross between ranks, and what stands in them until they do. Which fields, and when, is decided by
-// HaloSteps (halo_steps.h).
+// How fields of ghosts cross between ranks, and what stands in them until they do. Which fields, and when, is decided
+// by HaloSteps (halo_steps.h).
 #pragma once
 
 #include <compare>
@@ -23,7 +23,8 @@ class HaloExchange {
   HaloExchange(const HaloExchange&) = delete;
   HaloExchange& operator=(const HaloExchange&) = delete;
   virtual ~HaloExchange() = default;
-  /// Begins to send these fields of owned objects, and to receive those of ghosts: all in one message to each neighbour.
+  /// Begins to send these fields of owned objects, and to receive those of ghosts: all in one message to each
+  /// neighbour.
   virtual void begin(std::span<const HaloField> fields) = 0;
   /// What is done behind this finds them in the arrays.
   virtual void end() = 0;

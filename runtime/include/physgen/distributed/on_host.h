@@ -12,9 +12,9 @@ namespace physgen::detail {
 
 /// The array itself where the host reaches it, else one of the host with the same layout and formats.
 template <class Of>
-using OnHost = std::conditional_t<host_accessible(Of::Space::kind), Of,
-                                  Array<typename Of::Object, typename Of::Precision, Host, typename Of::Layout,
-                                        typename Of::Formats>>;
+using OnHost = std::conditional_t<
+    host_accessible(Of::Space::kind), Of,
+    Array<typename Of::Object, typename Of::Precision, Host, typename Of::Layout, typename Of::Formats>>;
 
 /// edit(array), or where the host does not reach it, of a copy that then takes its place.
 template <class Of, class Edit>

@@ -46,8 +46,9 @@ RankDevice choose(const Ranks& ranks, Transport& transport) {
   const std::vector<Place> hosts = places_of_all(mine, transport);
   for (std::size_t r = 0; r < hosts.size(); ++r) {
     if (hosts[r].count > 0) continue;
-    throw Error("rank " + std::to_string(r) + " on " + hosts[r].host.data() +
-                " finds no CUDA device; start ranks on machines that have one, or run the program over arrays of the host");
+    throw Error(
+        "rank " + std::to_string(r) + " on " + hosts[r].host.data() +
+        " finds no CUDA device; start ranks on machines that have one, or run the program over arrays of the host");
   }
   int before = 0;  // ranks of this machine
   for (std::size_t r = 0; r < rank; ++r) before += hosts[r].is_beside(mine) ? 1 : 0;
@@ -65,10 +66,11 @@ RankDevice choose(const Ranks& ranks, Transport& transport) {
     for (std::size_t b = a + 1; b < all.size(); ++b) {
       if (!all[a].shares_with(all[b])) continue;
       if (may_share) return {mine.number, true};
-      throw Error("ranks " + std::to_string(a) + " and " + std::to_string(b) + " on " + all[a].host.data() +
-                  " would share a GPU, of which it has " + std::to_string(all[a].count) +
-                  "; start no more ranks on a machine than it has GPUs, or set PHYSGEN_SHARE_GPU=1, which is for tests: "
-                  "halos then cross through pinned memory and MPI");
+      throw Error(
+          "ranks " + std::to_string(a) + " and " + std::to_string(b) + " on " + all[a].host.data() +
+          " would share a GPU, of which it has " + std::to_string(all[a].count) +
+          "; start no more ranks on a machine than it has GPUs, or set PHYSGEN_SHARE_GPU=1, which is for tests: "
+          "halos then cross through pinned memory and MPI");
     }
   }
   return {mine.number, false};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "../../addressing.h"
@@ -116,7 +117,8 @@ class DeviceExchange final : public HaloExchange {
       const auto mine = static_cast<std::size_t>(sent[r + 1] - sent[r]);
       const auto others = static_cast<std::size_t>(received[r + 1] - received[r]);
       if (mine + others == 0) continue;
-      messages.push_back({static_cast<int>(r), {sent_.data() + sent[r], mine}, {received_.data() + received[r], others}});
+      messages.push_back(
+          {static_cast<int>(r), {sent_.data() + sent[r], mine}, {received_.data() + received[r], others}});
     }
     std::vector<Piece> packed;
     unpacked_.clear();
@@ -183,10 +185,10 @@ class DeviceExchange final : public HaloExchange {
     constexpr index_t alignment = 16;
     return (objects * info.count * element_bytes(info.type) + alignment - 1) / alignment * alignment;
   }
-  void reserve(Buffer& buffer, index_t bytes) const {
+  void reserve(Buffer& buffer, index_t bytes) {
     if (buffer.bytes() >= bytes) return;
-    synchronize(stream_);  // with what still reads it
-    buffer = Buffer(SpaceKind::cuda, bytes, "messages between ranks");
+    if (buffer.bytes() > 0) outgrown_.push_back(std::move(buffer));
+    buffer = Buffer(SpaceKind::cuda, bytes + bytes / 2, "messages between ranks");
   }
 
   Partition& arrays_;
@@ -194,7 +196,8 @@ class DeviceExchange final : public HaloExchange {
   Stream stream_;
   std::vector<std::vector<Buffer>> lists_;  ///< by set and peer: the objects that are sent
   Buffer sent_, received_;
-  std::vector<Piece> unpacked_;  ///< of the exchange that is under way
+  std::vector<Buffer> outgrown_;  ///< graphs and work under way may have them
+  std::vector<Piece> unpacked_;   ///< of the exchange that is under way
 };
 
 }  // namespace

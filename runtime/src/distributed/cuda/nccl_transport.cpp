@@ -71,6 +71,8 @@ class NcclTransport final : public Transport {
     return host_.all_to_all(given);
   }
 
+  [[nodiscard]] bool can_be_captured() const override { return true; }
+
   void end() override { arrived_.order(crossing_, stream_); }
 
  private:
@@ -79,9 +81,9 @@ class NcclTransport final : public Transport {
     check_nccl(nccl().group_start(), "exchanging fields of ghosts");
     for (const Message& message : messages) {
       if (!message.sent.empty()) {
-        check_nccl(nccl().send(message.sent.data(), message.sent.size(), ncclUint8, message.peer, communicator_,
-                               crossing_),
-                   "sending fields of ghosts");
+        check_nccl(
+            nccl().send(message.sent.data(), message.sent.size(), ncclUint8, message.peer, communicator_, crossing_),
+            "sending fields of ghosts");
       }
       if (!message.received.empty()) {
         check_nccl(nccl().receive(message.received.data(), message.received.size(), ncclUint8, message.peer,

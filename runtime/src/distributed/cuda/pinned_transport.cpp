@@ -11,7 +11,8 @@ namespace physgen::cuda {
 namespace {
 
 void copy(std::byte* to, const std::byte* from, std::size_t bytes, Stream stream) {
-  if (bytes > 0) check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream), "copying what crosses between ranks");
+  if (bytes > 0)
+    check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream), "copying what crosses between ranks");
 }
 
 class PinnedTransport final : public Transport {
@@ -48,9 +49,8 @@ class PinnedTransport final : public Transport {
     for (const Message& message : messages) {
       std::byte* const mine = sent_.data() + places_[static_cast<std::size_t>(message.peer)].sent;
       copy(mine, message.sent.data(), message.sent.size(), stream_);
-      on_host.push_back({message.peer,
-                         {mine, message.sent.size()},
-                         {place_of_received(message), message.received.size()}});
+      on_host.push_back(
+          {message.peer, {mine, message.sent.size()}, {place_of_received(message), message.received.size()}});
     }
     synchronize(stream_);  // also with what was received before
     host_.begin(on_host);

@@ -18,7 +18,7 @@ namespace cuda {
 struct GatheredBlocks {
   static constexpr int most_ranks = 256;
   int ranks;
-  index_t stride;                      ///< values of a rank
+  index_t stride;                       ///< values of a rank
   std::int32_t begins[most_ranks + 1];  ///< blocks before those of a rank, and all
 };
 
@@ -71,8 +71,8 @@ class DeviceBlockValues {
         result_bytes_(result_bytes) {
     const int ranks = arrays.ranks().count();
     if (ranks > cuda::GatheredBlocks::most_ranks) {
-      throw Error("reductions on CUDA know " + std::to_string(cuda::GatheredBlocks::most_ranks) + " ranks, and there are " +
-                  std::to_string(ranks) + "; start as many at most");
+      throw Error("reductions on CUDA know " + std::to_string(cuda::GatheredBlocks::most_ranks) +
+                  " ranks, and there are " + std::to_string(ranks) + "; start as many at most");
     }
     index_t all = 0;
     for (const DistributedSet& set : arrays.sets()) {
@@ -131,8 +131,7 @@ class DeviceBlockValues {
     const Runs& runs = set_->runs();
     cuda::GatheredBlocks blocks{runs.ranks(), most_blocks(runs) * Types::count, {}};
     for (int r = 0; r < runs.ranks(); ++r) {
-      blocks.begins[r + 1] =
-          blocks.begins[r] + static_cast<std::int32_t>(blocks_of(runs.begin(r), runs.end(r)));
+      blocks.begins[r + 1] = blocks.begins[r] + static_cast<std::int32_t>(blocks_of(runs.begin(r), runs.end(r)));
     }
     const index_t bytes = blocks.stride * index_t{sizeof(Value)};
     const std::vector<index_t> sizes(static_cast<std::size_t>(runs.ranks()), bytes);

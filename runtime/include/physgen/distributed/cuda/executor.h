@@ -6,11 +6,13 @@
 #include <physgen/distributed/arrays.h>
 #include <physgen/distributed/cuda/block_values.h>
 #include <physgen/distributed/cuda/halo_exchange.h>
+#include <physgen/distributed/cuda/recorded_round.h>
 #include <physgen/distributed/cuda/transports.h>
 #include <physgen/distributed/options.h>
 #include <physgen/distributed/step_kernels.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,16 +20,21 @@
 
 namespace physgen {
 
-/// The executor of arrays in CUDA memory, on the device that cut() took for this rank. With one rank every call is On's.
-/// Several ranks give the bits of one that computes on such a device. Their loops run on the host, which waits in every
-/// round for `done`.
+/// The executor of arrays in CUDA memory, on the device that cut() took for this rank. With one rank every call is
+/// On's. Several ranks give the bits of one that computes on such a device. The host waits in every round of their
+/// loops for `done`; where NCCL carries what crosses, rounds are graphs that are replayed, unless PHYSGEN_LOOPS_ON_HOST
+/// is in the environment.
 /// @tparam On CudaExecutor
 template <class On>
   requires(std::is_same_v<typename On::Space, Cuda>)
 class DistributedExecutor<On> {
  public:
   using Space = typename On::Space;
-  using Loop = typename On::Loop;
+  /// A loop, once it has been run. It is run again with the same arrays, kernels and their parameters.
+  struct Loop {
+    typename On::Loop of_one;     ///< rank
+    cuda::RecordedRound of_many;  ///< ranks
+  };
 
   /// All ranks make it together. @param arrays outlive this. @pre cut() was called
   /// @throw Error when ranks would share a GPU, an array lies in other memory, or there is no memory on the device
@@ -66,8 +73,7 @@ class DistributedExecutor<On> {
         on_.reduce(n, kernel, fold, then);
       } else {
         values_->begin<Fold, Kernel>(*objects.set);
-        for_ranges(objects,
-                   [&](index_t first, index_t last) { values_->add<Fold>(first, last, 0, kernel, stream()); });
+        for_ranges(objects, [&](index_t first, index_t last) { values_->add<Fold>(first, last, 0, kernel, stream()); });
         drop_ghosts(objects, objects.also, 0, kernel);
         values_->join<Fold, Kernel>(*crossing_.transport, then, stream());
       }
@@ -120,16 +126,17 @@ class DistributedExecutor<On> {
   /// @param done a function object of what all ranks have
   template <class Body, class Done>
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {
-    if (ranks_.count() == 1) return on_.repeat(loop, most, body, done);
+    if (ranks_.count() == 1) return on_.repeat(loop.of_one, most, body, done);
     ranks_.guard([&] {
       detail::require_replicated(*steps_, done);
       for (int k = 0; k < most; ++k) {
-        body();
-        auto* const is_done = reinterpret_cast<int*>(is_done_.data());
-        cuda::tell_whether_done<<<1, 1, 0, stream()>>>(done, is_done);
-        cuda::check(cudaGetLastError(), "asking whether a loop is done");
+        run_round(loop.of_many, [&] {
+          body();
+          cuda::tell_whether_done<<<1, 1, 0, stream()>>>(done, reinterpret_cast<int*>(is_done_.data()));
+          cuda::check(cudaGetLastError(), "asking whether a loop is done");
+        });
         wait();
-        if (*is_done != 0) return;
+        if (*reinterpret_cast<const int*>(is_done_.data()) != 0) return;
       }
     });
   }
@@ -156,6 +163,19 @@ class DistributedExecutor<On> {
   [[nodiscard]] const std::string& transport_name() const { return crossing_.name; }
 
  private:
+  /// Runs a round: as a graph, where one has been recorded that fits, and else step by step. Behind a round that leaves
+  /// the same fields fresh as it found, the next one is recorded.
+  template <class Round>
+  void run_round(cuda::RecordedRound& recorded, const Round& round) {
+    Transport& transport = *crossing_.transport;
+    if (loops_on_host_ || !transport.can_be_captured()) return round();
+    const cuda::RecordedRound::Freshness before = cuda::RecordedRound::freshness_of(arrays_);
+    if (recorded.fits(before)) return recorded.replay(stream(), transport);
+    round();
+    if (!recorded.is_recorded() && cuda::RecordedRound::freshness_of(arrays_) == before) {
+      recorded.record(stream(), arrays_, transport, round);
+    }
+  }
   template <class Kernel>
   [[nodiscard]] HaloSteps::Objects begin(index_t n, const Kernel& kernel, HaloSteps::Way way) {
     return steps_->begin(detail::kernels_of(kernel), n, way);
@@ -175,6 +195,7 @@ class DistributedExecutor<On> {
   const Ranks& ranks_;
   DistributedArrays& arrays_;
   On on_;
+  bool loops_on_host_ = std::getenv("PHYSGEN_LOOPS_ON_HOST") != nullptr;
   Buffer is_done_{SpaceKind::pinned, sizeof(int), "whether a loop is done"};
   cuda::DeviceTransport crossing_{nullptr, "none"};
   std::optional<HaloSteps> steps_;

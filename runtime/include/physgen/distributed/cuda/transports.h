@@ -18,8 +18,8 @@ struct DeviceTransport {
 };
 
 /// Messages and gathered bytes lie in the memory of the current device. What is sent is read behind all that `stream`
-/// had before begin() or gather(); what is received is there for all that it gets behind end() or gather(). Gathered are
-/// as many bytes of each rank.
+/// had before begin() or gather(); what is received is there for all that it gets behind end() or gather(). Gathered
+/// are as many bytes of each rank.
 /// @param host crosses what is agreed on, and what goes through pinned memory
 /// @param uses_nccl NCCL where all ranks have it, each with a device of its own; else pinned memory
 /// @throw Error when ranks share a device without being allowed to (take_device())
