@@ -11,6 +11,12 @@ namespace physgen::cuda {
 
 namespace {
 
+/// The functions that are used are the same in all of one major version, from where the newest of them appeared:
+/// ncclGetLastError() in 2.13, ncclSend() and ncclRecv() in 2.7.
+constexpr int oldest = 21300;
+
+constexpr int major(int version) { return version / 10000; }
+
 struct Loaded {
   NcclFound found;
   NcclFunctions functions;
@@ -50,9 +56,9 @@ struct Loaded {
     if (!found.why_not.empty()) return;
     if (functions.get_version(&found.version) != ncclSuccess) {
       found.why_not = "NCCL does not say its version";
-    } else if (found.version < NCCL_VERSION_CODE) {
-      found.why_not = "NCCL " + nccl_version_text(found.version) + " is older than " +
-                      nccl_version_text(NCCL_VERSION_CODE) + ", with which physgen was built";
+    } else if (major(found.version) != NCCL_MAJOR || found.version < oldest) {
+      found.why_not = "NCCL " + nccl_version_text(found.version) + " was found, and physgen uses one from " +
+                      nccl_version_text(oldest) + " on, of version " + std::to_string(NCCL_MAJOR);
     }
   }
 };

@@ -11,8 +11,8 @@ struct NcclFound {
   std::string why_not;  ///< why it cannot be used; empty where it can
 };
 
-/// Loads libnccl.so.2, or the library that PHYSGEN_NCCL in the environment names, the first time. It must not be older
-/// than the header that physgen was built with. It needs no device.
+/// Loads libnccl.so.2, or the library that PHYSGEN_NCCL in the environment names, the first time. It must be
+/// 2.13 or later, of the major version of the header that physgen was built with. It needs no device.
 [[nodiscard]] const NcclFound& find_nccl();
 
 /// "2.28.9"
