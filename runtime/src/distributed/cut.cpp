@@ -35,27 +35,22 @@ void Partition::cut() {
   }
   ranks_.agree("table of kernels", std::to_string(std::hash<std::string>()(text)));
 
-  for (const Naming& naming : namings_) {
-    const DistributedSet& source = sets_[static_cast<std::size_t>(naming.source)];
-    const DistributedSet& target = sets_[static_cast<std::size_t>(naming.target)];
-    if (source.kind == DistributedSet::Kind::replicated && target.kind == DistributedSet::Kind::owned) {
-      throw Error(naming.field + " names objects of set " + target.name +
-                  ", of which ranks have parts, and all ranks have all of set " + source.name +
-                  "; replicate both, or none");
-    }
-  }
   decide_runs();
+  decide_computed();
   find_ghosts();
   for (DistributedSet& set : sets_) {  // what was connected by the other name asks it for local numbers
     if (set.same_as >= 0) set.local = sets_[static_cast<std::size_t>(number_of(set.name))].local;
   }
   find_reached();
+  find_fields_that_name_parts();
   is_cut_ = true;
   for (DistributedArray& array : arrays_) {
     const DistributedSet& set = sets_[static_cast<std::size_t>(array.set)];
     if (set.kind != DistributedSet::Kind::entries) array.resize(set.local ? set.local->size() : set.size);
   }
-  for (const Connection& connection : connections_) connection.store();
+  for (const Connection& connection : connections_) {
+    if (connection.store) connection.store();
+  }
   for (DistributedArray& array : arrays_) array.memory = array.untyped();
 }
 
@@ -94,6 +89,66 @@ void Partition::decide_runs() {
   }
 }
 
+void Partition::decide_computed() {
+  const auto ranks = static_cast<std::size_t>(ranks_.count());
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    DistributedSet& set = sets_[s];
+    if (set.kind != DistributedSet::Kind::replicated) continue;
+    std::vector<const Connection*> to_parts;
+    for (const Connection& connection : connections_) {
+      const DistributedSet& target = sets_[static_cast<std::size_t>(connection.target)];
+      const bool is_of_parts = target.kind == DistributedSet::Kind::owned;
+      if (connection.source == static_cast<int>(s) && is_of_parts) to_parts.push_back(&connection);
+    }
+    if (to_parts.empty()) continue;
+    // An object is computed about where most of what it names is owned: the owner in the middle of all. In ordered sets
+    // these ascend; runs have as many objects as there are of each.
+    std::vector<index_t> cuts(ranks + 1, 0), numbers;
+    std::vector<int> owners;
+    int owner = 0;
+    for (index_t i = 0; i < set.size; ++i) {
+      owners.clear();
+      for (const Connection* const connection : to_parts) {
+        const DistributedSet& target = sets_[static_cast<std::size_t>(connection->target)];
+        numbers.clear();
+        connection->named(i, numbers);
+        for (const index_t number : numbers) {
+          require_object(target, number, i);
+          if (number >= 0) owners.push_back(target.local->runs().owner(number));
+        }
+      }
+      const auto middle = owners.begin() + static_cast<std::ptrdiff_t>(owners.size() / 2);
+      std::nth_element(owners.begin(), middle, owners.end());
+      if (!owners.empty()) owner = *middle;  // else that of the object before
+      ++cuts[static_cast<std::size_t>(owner) + 1];
+    }
+    for (std::size_t r = 1; r < cuts.size(); ++r) cuts[r] += cuts[r - 1];
+    cuts.pop_back();
+    set.computed = Runs::at(set.size, cuts);
+  }
+}
+
+void Partition::find_fields_that_name_parts() {
+  for (DistributedSet& set : sets_) set.has_parts = set.kind == DistributedSet::Kind::owned;
+  for (const Naming& naming : namings_) {
+    DistributedSet& source = sets_[static_cast<std::size_t>(naming.source)];
+    DistributedSet& target = sets_[static_cast<std::size_t>(naming.target)];
+    const auto is_owned = [](const DistributedSet& set) { return set.kind == DistributedSet::Kind::owned; };
+    if (source.kind == DistributedSet::Kind::entries) source.has_parts |= is_owned(target);
+    if (target.kind == DistributedSet::Kind::entries) target.has_parts |= is_owned(source);
+  }
+  for (DistributedArray& array : arrays_) array.names_parts.assign(array.is_index.size(), 0);
+  for (const Naming& naming : namings_) {
+    const bool is_replicated = sets_[static_cast<std::size_t>(naming.source)].kind == DistributedSet::Kind::replicated;
+    if (!is_replicated || !sets_[static_cast<std::size_t>(naming.target)].has_parts) continue;
+    DistributedArray& array = arrays_[static_cast<std::size_t>(naming.array)];
+    const UntypedArray untyped = array.untyped();
+    for (std::size_t f = 0; f < untyped.fields.size(); ++f) {
+      if (array.name + "." + std::string(untyped.fields[f].name) == naming.field) array.names_parts[f] = 1;
+    }
+  }
+}
+
 void Partition::find_ghosts() {
   const std::size_t count = sets_.size();
   std::vector<std::vector<bool>> is_here(count), is_done(count);
@@ -126,6 +181,11 @@ void Partition::find_ghosts() {
       add(s, i);
     }
   }
+  for (std::size_t s = 0; s < count; ++s) {
+    if (!sets_[s].computed) continue;
+    const Runs& runs = *sets_[s].computed;
+    for (index_t i = runs.begin(ranks_.rank()); i < runs.end(ranks_.rank()); ++i) complete.emplace_back(s, i);
+  }
   while (!complete.empty()) {
     const auto [s, i] = complete.back();
     complete.pop_back();
@@ -154,9 +214,14 @@ void Partition::find_ghosts() {
   }
 }
 
-bool Partition::is_complete(int set, index_t local) const {
+bool Partition::is_complete(int set, index_t local, int target) const {
   const DistributedSet& of = sets_[static_cast<std::size_t>(set)];
-  if (of.kind == DistributedSet::Kind::replicated) return true;
+  if (of.kind == DistributedSet::Kind::replicated) {
+    while (sets_[static_cast<std::size_t>(target)].same_as >= 0)
+      target = sets_[static_cast<std::size_t>(target)].same_as;
+    const bool is_of_parts = sets_[static_cast<std::size_t>(target)].kind == DistributedSet::Kind::owned;
+    return !is_of_parts || of.computed->owns(ranks_.rank(), local);
+  }
   if (local < of.local->first() || local >= of.local->last()) return false;
   return of.follows >= 0 || (of.local->begin() <= local && local < of.local->end());
 }

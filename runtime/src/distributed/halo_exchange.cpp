@@ -72,6 +72,34 @@ class HostExchange final : public HaloExchange {
     received_.clear();
   }
 
+  void gather(std::span<const HaloField> fields, const Runs& computed) override {
+    const auto each = [&](int rank, const auto& use) {
+      for (const HaloField& field : fields) {
+        const UntypedArray& memory = array_of(field).memory;
+        const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
+        for (index_t i = computed.begin(rank); i < computed.end(rank); ++i) each_element(memory, info, i, use);
+      }
+    };
+    index_t bytes_of_object = 0;
+    for (const HaloField& field : fields) {
+      const FieldInfo& info = array_of(field).memory.fields[static_cast<std::size_t>(field.field)];
+      bytes_of_object += info.count * element_bytes(info.type);
+    }
+    std::vector<index_t> sizes;
+    for (int r = 0; r < computed.ranks(); ++r) sizes.push_back((computed.end(r) - computed.begin(r)) * bytes_of_object);
+    std::vector<std::byte> given, all(static_cast<std::size_t>(computed.size() * bytes_of_object));
+    each(arrays_.ranks().rank(),
+         [&](const std::byte* at, std::size_t size) { given.insert(given.end(), at, at + size); });
+    arrays_.transport().gather(given, sizes, all);
+    const std::byte* from = all.data();
+    for (int r = 0; r < computed.ranks(); ++r) {
+      each(r, [&](std::byte* at, std::size_t size) {
+        std::memcpy(at, from, size);
+        from += size;
+      });
+    }
+  }
+
   void poison(const HaloField& field) override {
     const UntypedArray& memory = array_of(field).memory;
     const LocalSet& objects = *set_of(field).local;

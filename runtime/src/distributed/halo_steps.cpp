@@ -54,6 +54,13 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     throw Error(*kernels.front().name + " is reduced over the entries of rows, " + over.name +
                 ", which have no blocks that all numbers of ranks have; reduce over the objects that have the rows");
   }
+  if (step.is_gathered && way != Way::run) {
+    throw Error(
+        *kernels.front().name + (way == Way::reduce ? " is reduced" : " is done by code of the program's own") +
+        " over set " + over.name +
+        ", which all ranks have, and reads others of which ranks have parts; let a kernel that is run write what "
+        "it reads of these into an array of the set");
+  }
   current_ = &step;
   current_name_ = *kernels.front().name;
   std::vector<Field> stale;
@@ -68,6 +75,10 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   std::vector<Range> inner;
   if (is_split) inner = inner_of(over, way);
   if (!stale.empty() && inner.empty()) arrive();
+  if (step.is_gathered) {
+    const int rank = arrays_.ranks().rank();
+    return {over.computed->begin(rank), over.computed->end(rank), nullptr};
+  }
   on_ghosts_ = way != Way::at_once && step.reaches_on_ghosts &&
                std::ranges::all_of(step.own, [&](const Field& f) { return is_fresh(f); });
   if (!over.local) return {0, size, nullptr};  // entries, of which there are no ghosts
@@ -105,6 +116,10 @@ std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Wa
 void HaloSteps::end() {
   const Step* const step = std::exchange(current_, nullptr);
   if (step == nullptr || step->set < 0) return;
+  if (step->is_gathered) {
+    const std::vector<Field> written(step->written.begin(), step->written.end());
+    return exchange_->gather(written, *arrays_.sets()[static_cast<std::size_t>(step->set)].computed);
+  }
   if (arrays_.sets()[static_cast<std::size_t>(step->set)].kind != DistributedSet::Kind::owned) return;
   for (const Field& field : step->written) {
     // A step may write some objects of the field, or some of its elements: of ghosts the others stay as they were.

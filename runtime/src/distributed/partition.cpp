@@ -3,6 +3,7 @@
 #include <physgen/distributed/partition.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "../index_field.h"
 
@@ -135,6 +136,16 @@ int Partition::number_by_memory(const void* array, const std::byte* base) const 
       "and resize or assign none behind cut()");
 }
 
+const index_t* Partition::global_numbers(int array) {
+  DistributedSet& set = sets_[static_cast<std::size_t>(arrays_[static_cast<std::size_t>(array)].set)];
+  const LocalSet& objects = set_of(array);
+  if (set.kind == DistributedSet::Kind::replicated) return nullptr;
+  for (auto i = static_cast<index_t>(set.numbers.size()); i < objects.size(); ++i) {
+    set.numbers.push_back(objects.global(i));
+  }
+  return set.numbers.data();
+}
+
 void Partition::set_fresh(int array, bool is_fresh) {
   DistributedArray& found = arrays_[static_cast<std::size_t>(array)];
   for (std::size_t f = 0; f < found.is_fresh.size(); ++f) found.is_fresh[f] = is_fresh || found.is_index[f] ? 1 : 0;
@@ -151,7 +162,7 @@ void Partition::connect_field(const void* array, const std::string& field, std::
   const UntypedArray untyped = source.untyped();
   source.is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, field) - untyped.fields.data())] = 1;
   const std::string of = source.name + "." + field;
-  namings_.push_back({of, source.set, to});
+  namings_.push_back({of, source.set, to, number});
   const auto store = [this, number, to, field, of, named] {
     const DistributedArray& connected = arrays_[static_cast<std::size_t>(number)];
     const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
@@ -175,9 +186,10 @@ void Partition::connect_field(const void* array, const std::string& field, std::
   connections_.push_back({source.set, to, std::move(named), store});
 }
 
-void Partition::connect_entries(const void* ranges, const std::string& name, const std::string& field, int target,
-                                Named named, std::function<void()> store) {
-  DistributedArray& of_ranges = arrays_[static_cast<std::size_t>(number_of_array(ranges))];
+void Partition::connect_entries(const void* ranges, const std::string& name, const std::string& field,
+                                std::vector<std::pair<int, Named>> targets, std::function<void()> store) {
+  const int rows = number_of_array(ranges), last = static_cast<int>(arrays_.size()) - 1;
+  DistributedArray& of_ranges = arrays_[static_cast<std::size_t>(rows)];
   DistributedArray& entries = arrays_.back();
   for (auto& [array, fields] : {std::pair{&of_ranges, std::vector<std::string>{"begin", "end"}}, {&entries, {field}}}) {
     const UntypedArray untyped = array->untyped();
@@ -185,9 +197,13 @@ void Partition::connect_entries(const void* ranges, const std::string& name, con
       array->is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, one) - untyped.fields.data())] = 1;
     }
   }
-  for (const char* one : {".begin", ".end"}) namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set});
-  namings_.push_back({name + "." + field, entries.set, target});
-  connections_.push_back({of_ranges.set, target, std::move(named), std::move(store)});
+  for (const char* one : {".begin", ".end"}) {
+    namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set, rows});
+  }
+  for (auto& [target, named] : targets) {
+    namings_.push_back({name + "." + field, entries.set, target, last});
+    connections_.push_back({of_ranges.set, target, std::move(named), std::exchange(store, nullptr)});
+  }
 }
 
 void Partition::to_first(int owner, std::span<std::byte> bytes) const {

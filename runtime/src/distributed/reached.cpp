@@ -14,7 +14,7 @@ void Partition::find_reached() {
     if (sets_[s].kind != DistributedSet::Kind::owned) continue;
     reached[s].assign(static_cast<std::size_t>(sets_[s].local->size()), ~std::uint64_t{0});
     for (index_t i = 0; i < sets_[s].local->size(); ++i) {
-      if (is_complete(static_cast<int>(s), i)) reached[s][static_cast<std::size_t>(i)] = 0;
+      if (is_complete(static_cast<int>(s), i, static_cast<int>(s))) reached[s][static_cast<std::size_t>(i)] = 0;
     }
   }
   const auto is_ghost = [&](const LocalSet& set, index_t local) { return local < set.begin() || local >= set.end(); };
@@ -25,7 +25,7 @@ void Partition::find_reached() {
     const LocalSet& target = *sets_[t].local;
     bool has_changed = false;
     for (index_t i = sets_[s].local->first(); i < sets_[s].local->last(); ++i) {
-      if (!is_complete(connection.source, i)) continue;
+      if (!is_complete(connection.source, i, connection.target)) continue;
       std::uint64_t& mine = reached[s][static_cast<std::size_t>(i)];
       const std::uint64_t before = mine;
       numbers.clear();

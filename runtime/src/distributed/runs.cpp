@@ -27,6 +27,13 @@ Runs Runs::near(index_t size, std::span<const index_t> cuts) {
   return Runs(std::move(begins));
 }
 
+Runs Runs::at(index_t size, std::span<const index_t> cuts) {
+  std::vector<index_t> begins(cuts.size() + 1, size);
+  index_t before = 0;
+  for (std::size_t r = 0; r < cuts.size(); ++r) before = begins[r] = r == 0 ? 0 : std::clamp(cuts[r], before, size);
+  return Runs(std::move(begins));
+}
+
 int Runs::owner(index_t object) const {
   if (object < 0 || object >= size()) {
     throw Error("object " + std::to_string(object) + " is none of a set of " + std::to_string(size()) +

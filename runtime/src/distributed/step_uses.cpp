@@ -1,8 +1,7 @@
-// What the kernels of a step use, by the table of halo_uses.h; and over which set they run.
+// What the kernels of a step use, by the table of halo_uses.h.
 #include "step_uses.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace physgen {
 
@@ -90,98 +89,6 @@ std::vector<HaloSteps::Use> HaloSteps::uses_of(std::span<const Kernel> kernels) 
   return uses;
 }
 
-int HaloSteps::set_of(const std::vector<Use>& uses, index_t size) {
-  int found = -1;
-  const Use *of_parts = nullptr, *of_shared = nullptr;
-  std::set<int> of_uniform;
-  bool may_be_of_uniform = false;
-  const std::string kernels = names_of(uses);
-  for (const Use& use : uses) {
-    if (use.field.array < 0) continue;
-    const bool is_own = use.access.reads_own || use.access.writes_own;
-    if (set_of_array(use.field.array).kind == DistributedSet::Kind::replicated) {
-      const int set = set_of_uniform(use);
-      may_be_of_uniform |= set >= 0 && !use.is_known;
-      if (is_own && set >= 0) of_uniform.insert(set);
-      if (is_own && set < 0) of_shared = &use;
-      continue;
-    }
-    of_parts = &use;
-    if (!is_own) continue;
-    const int set = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set;
-    if (found >= 0 && found != set) {
-      throw Error(kernels + " uses own objects of two sets, " + arrays_.sets()[static_cast<std::size_t>(found)].name +
-                  " and " + arrays_.sets()[static_cast<std::size_t>(set)].name +
-                  "; correct its rows in the table of kernels, or say same_set() where they have the same objects");
-    }
-    found = set;
-  }
-  if (found >= 0 || (of_shared != nullptr && of_parts == nullptr)) return found;
-  if (of_shared != nullptr) {
-    throw Error(
-        kernels + " runs over the objects of " +
-        arrays_.arrays()[static_cast<std::size_t>(of_shared->field.array)].name + ", which all ranks have, and uses " +
-        arrays_.arrays()[static_cast<std::size_t>(of_parts->field.array)].name + ", of which ranks have parts of set " +
-        set_of_array(of_parts->field.array).name + "; reduce what is wanted of it");
-  }
-  if (of_uniform.size() == 1 && !may_be_of_uniform) return *of_uniform.begin();
-  if (of_parts == nullptr && of_uniform.empty() && !may_be_of_uniform) return -1;
-  return set_of_all_ranks(uses, size, of_parts != nullptr);
-}
-
-int HaloSteps::set_of_uniform(const Use& use) const {
-  const int set = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].uniform_of;
-  if (set < 0 || arrays_.sets()[static_cast<std::size_t>(set)].kind != DistributedSet::Kind::owned) return -1;
-  return set;
-}
-
-void HaloSteps::require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way) const {
-  bool has_views = false;
-  for (const Kernel& kernel : kernels) {
-    for (const KernelView& view : kernel.views) {
-      const int array = view.base == nullptr ? -1 : arrays_.find(view.base);
-      if (view.base == nullptr || (array >= 0 && set_of_array(array).kind != DistributedSet::Kind::replicated))
-        continue;
-      has_views = true;
-      if (size == (array < 0 ? view.size : set_of_array(array).size)) return;
-    }
-  }
-  if (!has_views && way != Way::reduce) return;  // it leaves nothing
-  throw Error(
-      "it is not known over which set " + *kernels.front().name + " is run: the size " + std::to_string(size) +
-      " is that of no array that it uses and all ranks have; let it read its own object of an array that has so "
-      "many, array.size()");
-}
-
-int HaloSteps::set_of_all_ranks(const std::vector<Use>& uses, index_t size, bool has_parts) {
-  // Sizes of two sets may be equal on one rank, and not on another.
-  std::vector<index_t> fits(arrays_.sets().size(), 0);
-  for (const Use& use : uses) {
-    if (use.field.array < 0) continue;
-    for (const int set : {arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set, set_of_uniform(use)}) {
-      if (set < 0) continue;
-      const DistributedSet& one = arrays_.sets()[static_cast<std::size_t>(set)];
-      const bool may_be =
-          one.kind == DistributedSet::Kind::owned || (!has_parts && one.kind == DistributedSet::Kind::replicated);
-      if (may_be && one.local->size() == size) fits[static_cast<std::size_t>(set)] = 1;
-    }
-  }
-  const auto ranks = static_cast<std::size_t>(arrays_.ranks().count());
-  const std::vector<index_t> sizes(ranks, static_cast<index_t>(fits.size() * sizeof(index_t)));
-  std::vector<index_t> of_all(fits.size() * ranks, 0);
-  arrays_.transport().gather(std::as_bytes(std::span(fits)), sizes, std::as_writable_bytes(std::span(of_all)));
-  std::vector<int> found;
-  for (std::size_t s = 0; s < fits.size(); ++s) {
-    bool everywhere = true;
-    for (std::size_t r = 0; r < ranks; ++r) everywhere &= of_all[r * fits.size() + s] != 0;
-    if (everywhere) found.push_back(static_cast<int>(s));
-  }
-  if (found.size() == 1) return found.front();
-  throw Error("it is not known over which set " + names_of(uses) + " is run: the size " + std::to_string(size) +
-              " is that of " + std::to_string(found.size()) +
-              " sets of its views; give it rows in the table of kernels");
-}
-
 void HaloSteps::check_writes(const Use& use, int set) const {
   if (use.field.array < 0) {
     throw Error(use.kernel +
@@ -207,8 +114,13 @@ void HaloSteps::check_writes(const Use& use, int set) const {
   }
 }
 
-void HaloSteps::add_gathered(Step& step, const Use& use) const {
+void HaloSteps::add_gathered(Step& step, const Use& use, const std::vector<Use>& uses) const {
   const DistributedSet& over = arrays_.sets()[static_cast<std::size_t>(step.set)];
+  if (names_parts(use.field)) {
+    throw Error(use.kernel + (use.is_known ? " reads " : " may read ") + name_of(use.field) +
+                " of other objects, which a rank has of those objects of set " + set_of_array(use.field.array).name +
+                " alone that it computes; let a kernel over this set read it of its own objects");
+  }
   if (set_of_array(use.field.array).kind != DistributedSet::Kind::owned) return;
   step.gathered.insert(use.field);
   const auto& namings = arrays_.namings();
@@ -225,13 +137,21 @@ void HaloSteps::add_gathered(Step& step, const Use& use) const {
   // computed here, too.
   bool is_found = !use.through.empty();
   for (const std::string& through : use.through) {
-    const auto naming = std::ranges::find(namings, through, &Partition::Naming::field);
-    is_found &= naming != namings.end();
-    if (naming != namings.end() && !reaches(step, *naming)) {
-      throw Error(use.kernel + " reads " + name_of(use.field) + " through " + naming->field +
+    bool is_there = false;
+    for (const Partition::Naming& naming : namings) {
+      // "level.edges.nodes" means level[0].edges.nodes and level[1].edges.nodes, of such arrays as the kernel has views
+      // of, or that name objects of the array that it reads.
+      const auto is_viewed = [&](const Use& other) { return other.field.array == naming.array; };
+      const bool is_meant = naming.target == arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set ||
+                            std::ranges::any_of(uses, is_viewed);
+      if (naming.field != through && !(is_meant && is_named(naming.field, through))) continue;
+      is_there = true;
+      if (reaches(step, naming)) continue;
+      throw Error(use.kernel + " reads " + name_of(use.field) + " through " + naming.field +
                   " of other objects, whose set follows no set, so that what they name may be on other ranks; let it "
                   "follow one");
     }
+    is_found &= is_there;
   }
   if (use.is_known && !is_found) {
     throw Error(use.kernel + " reads " + name_of(use.field) +
@@ -244,7 +164,10 @@ void HaloSteps::add_gathered(Step& step, const Use& use) const {
 
 bool HaloSteps::reaches(const Step& step, const Partition::Naming& naming) const {
   const DistributedSet& source = arrays_.sets()[static_cast<std::size_t>(naming.source)];
-  return naming.source == step.set || source.follows >= 0 || source.kind != DistributedSet::Kind::owned;
+  if (naming.source == step.set || source.follows >= 0) return true;
+  const DistributedSet& target = arrays_.sets()[static_cast<std::size_t>(naming.target)];
+  if (source.kind == DistributedSet::Kind::replicated) return target.kind == DistributedSet::Kind::replicated;
+  return source.kind != DistributedSet::Kind::owned;
 }
 
 HaloSteps::Step HaloSteps::resolve(std::span<const Kernel> kernels, index_t size) {
@@ -253,18 +176,19 @@ HaloSteps::Step HaloSteps::resolve(std::span<const Kernel> kernels, index_t size
   step.set = set_of(uses, size);
   if (step.set < 0) return step;
   const bool is_of_shared = arrays_.sets()[static_cast<std::size_t>(step.set)].kind == DistributedSet::Kind::replicated;
+  step.is_gathered = is_of_shared && std::ranges::any_of(uses, [&](const Use& use) { return needs_parts(use); });
   for (const Use& use : uses) {
-    if (is_of_shared) break;
+    if (is_of_shared && !step.is_gathered) break;
     check_writes(use, step.set);
     const bool is_own = arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set == step.set;
     const bool is_of_parts = set_of_array(use.field.array).kind == DistributedSet::Kind::owned;
     if (!use.is_known) {
-      add_gathered(step, use);
+      add_gathered(step, use, uses);
       step.reaches_on_ghosts = step.is_known = false;
       if (is_own && is_of_parts && use.is_written) step.written.insert(use.field);
       continue;
     }
-    if (use.access.reads_others) add_gathered(step, use);
+    if (use.access.reads_others) add_gathered(step, use, uses);
     if (use.access.reads_own && is_of_parts) {
       step.own.insert(use.field);
       // Ghosts of a set that follows none have neither rows nor numbers of what they name.
@@ -272,7 +196,7 @@ HaloSteps::Step HaloSteps::resolve(std::span<const Kernel> kernels, index_t size
                                 .is_index[static_cast<std::size_t>(use.field.field)] != 0;
       if (is_index && set_of_array(use.field.array).follows < 0) step.reaches_on_ghosts = false;
     }
-    if (use.access.writes_own && is_of_parts) step.written.insert(use.field);
+    if (use.access.writes_own && (is_of_parts || step.is_gathered)) step.written.insert(use.field);
   }
   if (step.is_known) return step;
   for (const Partition::Naming& naming : arrays_.namings()) {

@@ -1,18 +1,23 @@
-// conjugate_gradients: the solver's own, preconditioned by the inverses of nodes' blocks, over the stiffness of a cube
-// of springs that resist in all directions, on as many ranks as it is started with. It prints a digest of the
-// displacements, and what the recurrence ended with. The table of kernels is that of the scene quasistatic.
+// conjugate_gradients: the solver's own, over the stiffness of a cube of springs that resist in all directions, on as
+// many ranks as it is started with. It prints a digest of the displacements and of the norms of all iterations, what
+// the recurrence ended with, and what crossed. The table of kernels is that of the scene quasistatic.
 //
-//   --cells N     along each side (default 20)
-//   --table 0     the product has no rows in the table
+//   --cells N            along each side (default 20)
+//   --coarsest N         cells of the coarsest level at least (default: there is one level)
+//   --preconditioner P   jacobi (default) or multigrid
+//   --replicate N        coarser levels of more nodes are cut, too, however few blocks ranks then have of them
+//   --plain 1            by the solver's own levels in one process, without distributed arrays
+//   --table 0            the product has no rows in the table
 #include <fem/mesh/mesh.h>
-#include <fem/solver/arrays/over_groups.h>
-#include <fem/solver/arrays/packed_rows.h>
+#include <fem/solver/arrays/run_time_choices.h>
 #include <fem/solver/elastic/tangent_blocks.h>
+#include <fem/solver/levels/distributed_levels.h>
+#include <fem/solver/levels/level_halos.h>
 #include <fem/solver/linear/conjugate_gradients.h>
 #include <fem/solver/linear/product_host.h>
-#include <fem/solver/preconditioners/jacobi/preconditioner.h>
 #include <physgen/distributed/executor.h>
 #include <quasistatic.halos.h>
+#include <quasistatic.scene.h>
 
 #include <bit>
 #include <cstdio>
@@ -24,35 +29,10 @@ namespace {
 using namespace physgen;
 using namespace physgen::fem;
 using Real = float;
-
-/// The product, which is done in place of a kernel over the nodes: see performs_in.h.
-constexpr HaloUse product_rows[] = {
-    {"physgen::fem::SymmetricProduct", 0, "K", {.reads_own = true}},
-    {"physgen::fem::SymmetricProduct", 1, "E", {.reads_others = true}, "level.node_edge_entries.code"},
-    {"physgen::fem::SymmetricProduct", 2, "nodes", {.reads_others = true}, "level.node_edge_entries.code"},
-    {"physgen::fem::SymmetricProduct", 3, "dx", {.reads_own = true, .reads_others = true}, "level.edges.nodes"},
-    {"physgen::fem::SymmetricProduct", 4, "df", {.reads_own = true, .writes_own = true}},
-};
-
-struct Level {
-  quasistatic::NodeConstraintArray<Real> constraints;
-  elasticity::EdgeArray<Real> edges;
-  elasticity::IncidenceRangeArray<float> node_edge_ranges;
-  quasistatic::PackedIncidenceArray<float> node_edge_entries;
-  elasticity::NodeStiffnessArray<Real> node_stiffness, scaled_nodes;
-  elasticity::EdgeStiffnessArray<Real> edge_stiffness;
-  quasistatic::NodeScaleArray<Real> scales;
-  quasistatic::NodeInverseArray<Real> inverse;
-  elasticity::NodeForceDifferentialArray<Real> residual;
-  elasticity::NodeDisplacementArray<Real> correction;
-  EdgeSums sums;
-  [[nodiscard]] index_t nodes() const { return constraints.size(); }
-};
-struct Krylov {
-  quasistatic::LinearSolveArray<double> state{1};
-  elasticity::NodeDisplacementArray<Real> step, direction;
-  elasticity::NodeForceDifferentialArray<Real> residual, product;
-};
+using Level = LevelOver<Real, Host, StoredAsComputed, AssembledOnMeshes,
+                        scenes::quasistatic_scene::Level<Host, Real, StoredAsComputed>, NoArrays, NoArrays, NoArrays>;
+using Levels = std::vector<std::unique_ptr<Level>>;
+using Krylov = scenes::quasistatic_scene::Krylov<Host>;
 
 /// A number of each object between -1 and 1.
 float number(index_t object, int k) {
@@ -61,90 +41,73 @@ float number(index_t object, int k) {
   bits *= 2246822519U;
   return static_cast<float>(bits >> 8) / 8388608.0F - 1.0F;
 }
-
-struct Cube {
-  Index cells;
-  TetMesh mesh = make_box_mesh(cells, cells, cells);
-
-  [[nodiscard]] bool is_fixed(index_t node) const { return node < (cells + 1) * (cells + 1); }
-  [[nodiscard]] const auto& edge(index_t e) const { return mesh.edges[static_cast<std::size_t>(e)]; }
-  [[nodiscard]] auto row(index_t node) const {
-    std::vector<quasistatic::PackedIncidence<float>> row;
-    const auto at = static_cast<std::size_t>(node);
-    for (Index k = mesh.node_edges.first[at]; k < mesh.node_edges.first[at + 1]; ++k) {
-      const IncidenceEntry& entry = mesh.node_edges.entries[static_cast<std::size_t>(k)];
-      row.emplace_back().code = entry.element << NodeEdgeEntry::bits | entry.local;
-    }
-    return row;
+/// Symmetric, and positive: dominant on the diagonal.
+elasticity::EdgeStiffness<Real> stiffness(index_t edge) {
+  elasticity::EdgeStiffness<Real> value{};
+  for (int k = 0; k < 3; ++k) {
+    value.E(k, k) = 2.0F + number(edge, k);
+    value.E(k, (k + 1) % 3) = value.E((k + 1) % 3, k) = 0.25F * number(edge, 3 + k);
   }
-  /// Symmetric, and positive: dominant on the diagonal.
-  [[nodiscard]] static auto stiffness(index_t edge) {
-    elasticity::EdgeStiffness<Real> value{};
-    for (int k = 0; k < 3; ++k) {
-      value.E(k, k) = 2.0F + number(edge, k);
-      value.E(k, (k + 1) % 3) = value.E((k + 1) % 3, k) = 0.25F * number(edge, 3 + k);
+  return value;
+}
+
+struct Options {
+  Index cells = 20, coarsest = 0;
+  bool is_multigrid = false, is_plain = false, has_rows = true;
+  index_t replicate = 0;
+};
+
+/// Meshes of a cube that hangs on its base.
+struct Cube {
+  std::vector<MeshLevel> levels;
+  std::vector<LevelGraph> graphs;
+
+  explicit Cube(const Options& options)
+      : levels(make_cube_levels(options.cells, 1, false, options.coarsest == 0 ? options.cells : options.coarsest)) {
+    for (MeshLevel& level : levels) {
+      for (std::size_t n = 0; n < level.rest.size(); ++n) level.fixed[n] = level.rest[n][2] == 0 ? 7 : 0;
     }
+    graphs = make_level_graphs(levels);
+  }
+  [[nodiscard]] auto force(index_t node) const {
+    elasticity::NodeForceDifferential<Real> value{};
+    const bool is_fixed = levels.front().fixed[at(node)] != 0;
+    for (int k = 0; k < 3 && !is_fixed; ++k) value.df[k] = number(node, 7 + k);
     return value;
   }
 };
 
-void distribute(DistributedArrays& arrays, Level& level, Krylov& krylov, const Cube& cube) {
-  const auto nodes = index_t{cube.mesh.nodes};
-  for (const char* set : {"node", "edge_node", "block_node"}) arrays.add_set(set, nodes);
-  arrays.add_set("edge", static_cast<index_t>(cube.mesh.edges.size()));
-  arrays.same_set("edge_node", "node");
-  arrays.same_set("block_node", "node");
-  arrays.follow("edge", "node");
-  arrays.add("level.constraints", "node", level.constraints);
-  arrays.add("level.edges", "edge", level.edges);
-  arrays.add("level.node_edge_ranges", "edge_node", level.node_edge_ranges);
-  arrays.add("level.node_stiffness", "block_node", level.node_stiffness);
-  arrays.add("level.edge_stiffness", "edge", level.edge_stiffness);
-  arrays.add("level.scales", "node", level.scales);
-  arrays.add("level.scaled_nodes", "edge_node", level.scaled_nodes);
-  arrays.add("level.inverse", "block_node", level.inverse);
-  arrays.add("level.residual", "node", level.residual);
-  arrays.add("level.correction", "node", level.correction);
-  arrays.add("krylov.step", "node", krylov.step);
-  arrays.add("krylov.residual", "node", krylov.residual);
-  arrays.add("krylov.direction", "node", krylov.direction);
-  arrays.add("krylov.product", "node", krylov.product);
-  arrays.connect(level.edges, "nodes", "node", [&](index_t e) { return cube.edge(e); });
-  arrays.connect_rows(
-      level.node_edge_ranges, "level.node_edge_entries", level.node_edge_entries, "code", "edge",
-      [&](index_t node) { return cube.row(node); }, NodeEdgeEntry::bits);
-  arrays.cut();
-  arrays.fill(level.constraints, [&](index_t node) {
-    quasistatic::NodeConstraint<Real> value{};
-    value.fixed = cube.is_fixed(node) ? 7 : 0;
-    return value;
-  });
-  arrays.fill(level.edge_stiffness, [](index_t edge) { return Cube::stiffness(edge); });
-  arrays.fill(krylov.residual, [&](index_t node) {
-    elasticity::NodeForceDifferential<Real> value{};
-    for (int k = 0; k < 3 && !cube.is_fixed(node); ++k) value.df[k] = number(node, 7 + k);
-    return value;
-  });
-  // The product goes by lists of the edges that are here.
-  const LocalSet& edges = arrays.set("edge");
-  std::vector<std::array<Index, 2>> ends(static_cast<std::size_t>(edges.size()));
-  for (index_t e = edges.first(); e < edges.last(); ++e) {
-    const Eigen::Vector2i nodes_of_edge = level.edges.const_view()[e].nodes();
-    ends[static_cast<std::size_t>(e)] = {nodes_of_edge[0], nodes_of_edge[1]};
+/// FNV-1a.
+struct Digest {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  void add(std::uint64_t bits) { hash = (hash ^ bits) * 0x100000001b3; }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add_objects(const auto& view) {
+    for (index_t i = 0; i < view.size(); ++i) {
+      for (int k = 0; k < 3; ++k) add(std::uint64_t{std::bit_cast<std::uint32_t>(float{view[i].dx()[k]})});
+    }
   }
-  const bool has_edges = edges.first() < edges.last();
-  level.sums = EdgeSums(static_cast<Index>(level.nodes()), ends, SpaceKind::host, sizeof(Real), SumOrder::fixed,
-                        has_edges ? edges.first() : edges.size());
-}
+};
 
+/// @return a digest of the norms of all iterations
 template <class On>
-void solve(On& on, Level& level, Krylov& v) {
-  on.run(level.nodes(), SumNodeStiffness{Rows(level.node_edge_ranges.const_view(), level.node_edge_entries.const_view(),
-                                              level.edges.size()),
-                                         level.edge_stiffness.const_view(), level.node_stiffness.view()});
-  scale_nodes(on, level, false);
+Digest solve(On& on, Levels& levels, Krylov& v, const Options& options, Traffic& before) {
+  Level& level = *levels.front();
+  const PreconditionerSettings settings;
+  on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
+                                         level.node_stiffness.view()});
+  if (options.is_multigrid) {
+    Multigrid::prepare(on, levels, 0, settings, true);
+    Multigrid::prepare(on, levels, 0, settings, false);  // as a second step of Newton's method has it
+  } else {
+    BlockJacobi::prepare(on, levels, 0, settings, true);
+  }
+  if constexpr (requires { on.traffic(); }) before = on.traffic();
   typename On::Loop loop;
+  Digest norms;
   const auto multiply = [&] {
+    const auto state = on.value(v.state);
+    for (const double x : {double{state.rz}, double{state.alpha}, double{state.beta}}) norms.add(x);
     on.run(level.nodes(), TurnDirection{v.state.const_view(), level.scales.const_view(), level.correction.const_view(),
                                         level.node_stiffness.const_view(), v.direction.view(), v.product.view()});
     add_edges(on,
@@ -152,46 +115,98 @@ void solve(On& on, Level& level, Krylov& v) {
                                level.edges.const_view(), v.direction.const_view(), v.product.view()},
               level.sums);
   };
-  conjugate_gradients(on, loop, level, v, 1e-6, 300, 0, multiply, [&] { BlockJacobi::apply(on, level); });
+  conjugate_gradients(on, loop, level, v, 1e-6, 300, 0, multiply, [&] {
+    options.is_multigrid ? Multigrid::apply(on, levels, 0, settings) : BlockJacobi::apply(on, levels, 0, settings);
+  });
+  return norms;
+}
+
+void print(const Digest& digest, const Digest& norms, const auto& state) {
+  std::printf("digest %016llx norms %016llx iterations %d status %d rz %a alpha %a",
+              static_cast<unsigned long long>(digest.hash), static_cast<unsigned long long>(norms.hash),
+              int{state.iterations}, int{state.status}, double{state.rz}, double{state.alpha});
+}
+
+void run_plain(const Options& options) {
+  const Cube cube(options);
+  Levels levels;
+  for (std::size_t l = 0; l < cube.graphs.size(); ++l) {
+    const LevelGraph* const coarser = l + 1 < cube.graphs.size() ? &cube.graphs[l + 1] : nullptr;
+    levels.push_back(std::make_unique<Level>(cube.graphs[l], coarser));
+  }
+  Level& level = *levels.front();
+  Krylov krylov;
+  krylov.allocate({.node = level.nodes()});
+  for (index_t e = 0; e < level.edge_count(); ++e) level.edge_stiffness.view().put(e, stiffness(e));
+  for (index_t n = 0; n < level.nodes(); ++n) krylov.residual.view().put(n, cube.force(n));
+  HostExecutor on;
+  Traffic none;
+  const Digest norms = solve(on, levels, krylov, options, none);
+  Digest digest;
+  digest.add_objects(krylov.step.const_view());
+  print(digest, norms, on.value(krylov.state));
+  std::printf("\n");
+}
+
+void run_on_ranks(const Ranks& ranks, const Options& options) {
+  namespace table = scenes::quasistatic_scene;
+  std::vector<HaloUse> rows = with_halos_of_levels(table::halos);
+  if (!options.has_rows) {
+    std::erase_if(rows, [](const HaloUse& row) { return row.kernel == "physgen::fem::SymmetricProduct"; });
+  }
+  const Cube cube(options);
+  Levels levels;
+  for (std::size_t l = 0; l < cube.graphs.size(); ++l) levels.push_back(std::make_unique<Level>(Level::Own()));
+  Level& level = *levels.front();
+  Krylov krylov;
+  krylov.allocate({.node = 0});
+  DistributedArrays arrays(ranks, rows);
+  std::size_t cut = levels_that_are_cut(cube.graphs, ranks.count());
+  while (options.replicate > 0 && cut < cube.graphs.size() && cube.graphs[cut].nodes > options.replicate) ++cut;
+  add_levels(arrays, levels, cube.graphs, cut);
+  arrays.add("krylov.step", "level[0].node", krylov.step);
+  arrays.add("krylov.residual", "level[0].node", krylov.residual);
+  arrays.add("krylov.direction", "level[0].node", krylov.direction);
+  arrays.add("krylov.product", "level[0].node", krylov.product);
+  arrays.cut();
+  fill_levels(arrays, levels, cube.graphs);
+  arrays.fill(level.edge_stiffness, [](index_t edge) { return stiffness(edge); });
+  arrays.fill(krylov.residual, [&](index_t node) { return cube.force(node); });
+  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
+  const Traffic of_plans = on.traffic();
+  Traffic before;
+  const Digest norms = solve(on, levels, krylov, options, before);
+  const Traffic traffic = on.traffic();
+  Digest digest;
+  arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) { digest.add_objects(view); });
+  const auto state = on.value(krylov.state);
+  const LocalSet& nodes = arrays.set("level[0].node");
+  if (!ranks.is_first()) return;
+  print(digest, norms, state);
+  const auto number_of = [](index_t n) { return static_cast<long long>(n); };
+  std::printf(" prepared %lld %lld solved %lld %lld bytes %lld gathered %lld cut %zu ghosts %zu of %lld",
+              number_of(before.exchanges - of_plans.exchanges), number_of(before.gathers - of_plans.gathers),
+              number_of(traffic.exchanges - before.exchanges), number_of(traffic.gathers - before.gathers),
+              number_of(traffic.bytes - before.bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut,
+              nodes.ghosts().size(), number_of(nodes.owned()));
+  for (const std::string& kernel : on.unknown_kernels()) std::printf(" unknown %s", kernel.c_str());
+  std::printf("\n");
 }
 
 void run(int argc, char** argv) {
-  const Ranks ranks(argc, argv);
-  Index cells = 20;
-  bool has_rows = true;
+  Options options;
   for (int a = 1; a + 1 < argc; a += 2) {
-    if (argv[a] == std::string("--cells")) cells = std::atoi(argv[a + 1]);
-    if (argv[a] == std::string("--table")) has_rows = std::atoi(argv[a + 1]) != 0;
+    const std::string what = argv[a];
+    if (what == "--cells") options.cells = std::atoi(argv[a + 1]);
+    if (what == "--coarsest") options.coarsest = std::atoi(argv[a + 1]);
+    if (what == "--preconditioner") options.is_multigrid = argv[a + 1] == std::string("multigrid");
+    if (what == "--replicate") options.replicate = std::atoi(argv[a + 1]);
+    if (what == "--plain") options.is_plain = std::atoi(argv[a + 1]) != 0;
+    if (what == "--table") options.has_rows = std::atoi(argv[a + 1]) != 0;
   }
-  ranks.guard([&] {
-    std::vector<HaloUse> rows(std::begin(scenes::quasistatic_scene::halos), std::end(scenes::quasistatic_scene::halos));
-    if (has_rows) rows.insert(rows.end(), std::begin(product_rows), std::end(product_rows));
-    const Cube cube{cells};
-    Level level;
-    Krylov krylov;
-    DistributedArrays arrays(ranks, rows);
-    distribute(arrays, level, krylov, cube);
-    DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
-    solve(on, level, krylov);
-    const Traffic traffic = on.traffic();
-    std::uint64_t hash = 0xcbf29ce484222325;
-    arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) {
-      for (index_t i = 0; i < view.size(); ++i) {
-        for (int k = 0; k < 3; ++k) {
-          const float dx = view[i].dx()[k];
-          hash = (hash ^ std::bit_cast<std::uint32_t>(dx)) * 0x100000001b3;
-        }
-      }
-    });
-    const auto state = on.value(krylov.state);
-    if (!ranks.is_first()) return;
-    std::printf("digest %016llx iterations %d status %d rz %a alpha %a exchanges %lld bytes %lld gathers %lld",
-                static_cast<unsigned long long>(hash), int{state.iterations}, int{state.status}, double{state.rz},
-                double{state.alpha}, static_cast<long long>(traffic.exchanges), static_cast<long long>(traffic.bytes),
-                static_cast<long long>(traffic.gathers));
-    for (const std::string& kernel : on.unknown_kernels()) std::printf(" unknown %s", kernel.c_str());
-    std::printf("\n");
-  });
+  if (options.is_plain) return run_plain(options);
+  const Ranks ranks(argc, argv);
+  ranks.guard([&] { run_on_ranks(ranks, options); });
 }
 
 }  // namespace

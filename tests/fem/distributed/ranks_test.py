@@ -6,36 +6,74 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "runtime" / "distributed"))
 from ranks import program, ranks, run, run_case  # noqa: E402
 
+COUNTED = ("preparing exchanges", "preparing gathers", "exchanges", "gathers", "bytes", "gathered bytes", "levels cut", "ghosts", "owned")
+
 
 def result(done):
-    """What a solve ended with, and what has crossed."""
+    """What a solve ended with, what has crossed, and the kernels that the table lacks."""
     status, output, errors, _ = done
     assert status == 0, f"status {status}: {output}{errors}"
-    found = re.match(r"(digest \S+ iterations \d+ status \d+ rz \S+ alpha \S+) exchanges (\d+) bytes (\d+) gathers (\d+)(.*)", output)
+    found = re.match(r"(digest \S+ norms \S+ iterations \d+ status \d+ rz \S+ alpha \S+)(.*)", output)
     assert found, output
-    return found.group(1), [int(found.group(k)) for k in (2, 3, 4)], found.group(5)
+    counts = re.match(r" prepared (\d+) (\d+) solved (\d+) (\d+) bytes (\d+) gathered (\d+) cut (\d+) ghosts (\d+) of (\d+)", found.group(2))
+    return found.group(1), dict(zip(COUNTED, map(int, counts.groups()))) if counts else {}, re.findall(r" unknown (\S+)", output)
+
+
+def one_process(*options):
+    """The result of the solver's own levels in one process, which has converged, and its number of iterations."""
+    wanted = result(run(program("conjugate_gradients_without_mpi"), *options, "--plain", "1"))[0]
+    assert result(run(program("conjugate_gradients_without_mpi"), *options))[0] == wanted, "the build without MPI"
+    assert "status 1" in wanted, wanted
+    print(*options, wanted)
+    return wanted, int(re.search(r"iterations (\d+)", wanted).group(1))
 
 
 def conjugate_gradients_have_the_bits_of_one_process():
-    """Conjugate gradients with block Jacobi have the bits of one process: displacements, r . z and the length of the last step."""
-    wanted = result(run(program("conjugate_gradients_without_mpi")))[0]
-    print(wanted)
-    iterations = int(re.search(r"iterations (\d+)", wanted).group(1))
-    assert 10 < iterations < 300 and "status 1" in wanted, wanted
+    """Conjugate gradients with block Jacobi have the bits of one process: displacements, and the norms of all iterations."""
+    wanted, iterations = one_process()
+    assert 10 < iterations < 300, wanted
     for count in (1, 2, 4):
-        found, (exchanges, known_bytes, gathers), unknown = result(ranks(count, "conjugate_gradients"))
-        print(f"{count} ranks: {exchanges} exchanges, {known_bytes} bytes, {gathers} gathers")
-        assert found == wanted, f"{count} ranks: {found}"
-        assert not unknown, unknown
+        found, counts, unknown = result(ranks(count, "conjugate_gradients"))
+        print(f"{count} ranks: {counts}")
+        assert found == wanted and not unknown, f"{count} ranks: {found} {unknown}"
         if count == 1:
             continue
-        # Two make the plans; then directions cross for each product, and nothing else. Two sums in each iteration.
-        assert exchanges == 2 + iterations and gathers == 1 + 2 * iterations, (exchanges, gathers)
+        # Directions cross for each product, and nothing else. Two sums in each iteration.
+        assert counts["exchanges"] == iterations and counts["gathers"] == 1 + 2 * iterations, counts
         # Without rows for the product more crosses with them, and nothing is missing.
-        found, (_, all_bytes, _), unknown = result(ranks(count, "conjugate_gradients", "--table", "0"))
-        assert found == wanted and "SymmetricProduct" in unknown and all_bytes > known_bytes, (found, unknown, all_bytes)
+        found, of_all, unknown = result(ranks(count, "conjugate_gradients", "--table", "0"))
+        assert found == wanted and "physgen::fem::SymmetricProduct" in unknown and of_all["bytes"] > counts["bytes"], (found, unknown, of_all)
     for cells in ("1", "5"):  # ranks without nodes
-        assert result(ranks(4, "conjugate_gradients", "--cells", cells))[0] == result(run(program("conjugate_gradients_without_mpi"), "--cells", cells))[0]
+        assert result(ranks(4, "conjugate_gradients", "--cells", cells))[0] == one_process("--cells", cells)[0]
+
+
+def multigrid_has_the_bits_of_one_process():
+    """The V-cycle below one level that is cut, and below two, has the bits of one process: displacements, and all norms."""
+    for cells, coarsest in (("20", "5"), ("24", "6"), ("24", "3")):  # the last has a dense inverse
+        options = "--preconditioner", "multigrid", "--cells", cells, "--coarsest", coarsest
+        wanted, iterations = one_process(*options)
+        assert 3 < iterations < 60, wanted
+        for count in (1, 2, 3, 4):
+            found, counts, unknown = result(ranks(count, "conjugate_gradients", *options))
+            print(f"{count} ranks: {counts}")
+            assert found == wanted and not unknown, f"{count} ranks: {found} {unknown}"
+            if count == 1:
+                continue
+            assert counts["levels cut"] == 1, counts
+            # An iteration: the direction of the product; those of four smoothing steps, the interpolated one and the
+            # residual that is restricted. Two sums, and the restricted residual, which all ranks are given. The first
+            # preconditioning is one without a product.
+            assert counts["exchanges"] == 6 * iterations + 5, (iterations, counts)
+            assert counts["gathers"] == 3 * iterations + 2, (iterations, counts)
+    # Two levels are cut: the second one's nodes are of two ranks, too.
+    options = "--preconditioner", "multigrid", "--cells", "32", "--coarsest", "4"
+    wanted, iterations = one_process(*options)
+    for count in (2, 3):
+        found, counts, unknown = result(ranks(count, "conjugate_gradients", *options, "--replicate", "3000"))
+        print(f"{count} ranks: {counts}")
+        assert found == wanted and not unknown, f"{count} ranks: {found} {unknown}"
+        assert counts["levels cut"] == 2, counts
+        assert counts["exchanges"] <= 12 * (iterations + 1) and counts["gathers"] == 3 * iterations + 2, (iterations, counts)
 
 
 sys.exit(run_case(globals()))

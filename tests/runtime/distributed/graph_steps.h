@@ -1,5 +1,5 @@
 // Kernels of graphs that write some objects alone, that ask own rows for no more than their lengths, and that follow
-// another one in a fused kernel.
+// another one in a fused kernel; and kernels over groups, which all ranks have.
 #pragma once
 
 #include <physgen/fuse.h>
@@ -61,6 +61,79 @@ struct Push {
 };
 template <class... V>
 Push(V...) -> Push<V...>;
+
+/// Over groups, from nodes and edges of which ranks have parts, and from other groups.
+template <class Rows, class PositionView, class SpringView, class LinkView, class CalmView, class TotalView>
+struct Collect {
+  using Scalar = typename TotalView::Precision;
+  Rows members;
+  PositionView positions;
+  SpringView springs;
+  LinkView links;
+  CalmView calms;
+  TotalView totals;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    using Vector = Eigen::Matrix<Scalar, 3, 1>;
+    const Vector calm = calms[links[i].nodes()[0]].dx();
+    Vector sum = totals[i].f().get() * Scalar(0.5F) + calm * Scalar(0.25F);
+    members.for_each(i, [&](const auto& member, bool) {
+      const index_t other = member.element();
+      Vector value;
+      if (member.local() == 1)
+        value = positions[other].x();
+      else
+        value = springs[other].f();
+      sum += value * Scalar(0.125F);
+    });
+    totals[i].f() = sum;
+  }
+};
+template <class... V>
+Collect(V...) -> Collect<V...>;
+
+/// Over nodes, from groups.
+template <class HomeView, class TotalView, class MeanView>
+struct Spread {
+  using Scalar = typename MeanView::Precision;
+  HomeView homes;
+  TotalView totals;
+  MeanView means;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const auto names = homes[i].nodes().get();
+    means[i].dx() =
+        (means[i].dx().get() * 0.5F + totals[names[0]].f().get() * 0.25F + totals[names[1]].f().get() * 0.125F).eval();
+  }
+};
+template <class... V>
+Spread(V...) -> Spread<V...>;
+
+/// Over groups, from groups: all ranks do the same.
+template <class LinkView, class TotalView, class CalmView>
+struct Settle {
+  using Scalar = typename CalmView::Precision;
+  LinkView links;
+  TotalView totals;
+  CalmView calms;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const auto names = links[i].nodes().get();
+    calms[i].dx() = (calms[i].dx().get() * 0.5F + totals[names[1]].f().get() * 0.25F).eval();
+  }
+};
+template <class... V>
+Settle(V...) -> Settle<V...>;
+
+/// Over groups: asks rows for their lengths alone, of which a rank has those of the groups that it computes.
+template <class Rows, class TotalView>
+struct Members {
+  using Scalar = typename TotalView::Precision;
+  Rows members;
+  TotalView totals;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    totals[i].f() = (totals[i].f().get() * (static_cast<Scalar>(members.size(i)) * Scalar(0.125F))).eval();
+  }
+};
+template <class... V>
+Members(V...) -> Members<V...>;
 
 /// Does what SumPulls would, with a loop of its own: for what is here.
 template <class Space, class Kernel>

@@ -1,9 +1,8 @@
-// Random graphs, kernels over them, and the table of these: own objects, others through one and through two index
-// fields, through rows, sets that follow and sets that do not, sums and what is done with them.
+// Random graphs, and kernels over them: own objects, others through one and through two index fields, through rows,
+// sets that follow and sets that do not, sums and what is done with them.
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <physgen/distributed/halo_uses.h>
 #include <physgen/kernel.h>
 
 #include <array>
@@ -192,67 +191,15 @@ struct Store {
 template <class S>
 Store(S, int) -> Store<S>;
 
-inline constexpr HaloAccess own{.reads_own = true}, others{.reads_others = true}, written{.writes_own = true},
-    changed{.reads_own = true, .writes_own = true}, everything{.reads_own = true, .reads_others = true};
-inline constexpr const char *of_ends = "b.ranges.begin, b.ranges.end", *of_touches = "b.touched.begin, b.touched.end";
-/// Rows without which an exchange or a stale field would be missed come first; the others are needed to know over which
-/// set a kernel runs, and that no index is written.
-inline constexpr HaloUse table[] = {
-    {"graphs::Pull", 1, "x", others, "b.edges.nodes"},
-    {"graphs::Pull", 2, "f", written},
-    {"graphs::SumPulls", 2, "f", others, "b.ends.element"},
-    {"graphs::SumPulls", 3, "f", written},
-    {"graphs::Smooth", 3, "x", everything, "b.ends.element, b.edges.nodes"},
-    {"graphs::Smooth", 4, "dx", written},
-    {"graphs::Move", 0, "f", own},
-    {"graphs::Move", 1, "dx", own},
-    {"graphs::Move", 2, "x", changed},
-    {"graphs::Share", 1, "x", others, "b.quads.nodes"},
-    {"graphs::Share", 2, "df", changed},
-    {"graphs::AddShares", 2, "df", others, "b.touches.element"},
-    {"graphs::AddShares", 3, "f", changed},
-    {"graphs::Mix", 0, "f", own},
-    {"graphs::Mix", 1, "dx", changed},
-    {"graphs::Drift", 0, "dx", own},
-    {"graphs::Drift", 1, "x", changed},
-    {"graphs::Lengths", 0, "x", others, "b.edges.nodes"},
-    {"graphs::PullPart", 1, "x", others, "b.edges.nodes"},
-    {"graphs::PullPart", 2, "f", written},
-    {"graphs::Pull", 0, "nodes", own},
-    {"graphs::SumPulls", 0, "begin", own},
-    {"graphs::SumPulls", 0, "end", own},
-    {"graphs::SumPulls", 1, "element", others, of_ends},
-    {"graphs::SumPulls", 1, "local", others, of_ends},
-    {"graphs::Smooth", 0, "begin", own},
-    {"graphs::Smooth", 0, "end", own},
-    {"graphs::Smooth", 1, "element", others, of_ends},
-    {"graphs::Smooth", 1, "local", others, of_ends},
-    {"graphs::Smooth", 2, "nodes", others, "b.ends.element"},
-    {"graphs::Share", 0, "nodes", own},
-    {"graphs::AddShares", 0, "begin", own},
-    {"graphs::AddShares", 0, "end", own},
-    {"graphs::AddShares", 1, "element", others, of_touches},
-    {"graphs::Lengths", 1, "nodes", own},
-    {"graphs::PullPart", 0, "nodes", own},
-    {"graphs::Clear", 0, "x", own},
-    {"graphs::Clear", 1, "f", written},
-    {"graphs::Degree", 0, "begin", own},
-    {"graphs::Degree", 0, "end", own},
-    {"graphs::Degree", 1, "", {}},
-    {"graphs::Degree", 2, "x", changed},
-    {"graphs::Quarter", 0, "f", own},
-    {"graphs::Quarter", 1, "f", written},
-    {"graphs::Push", 0, "f", own},
-    {"graphs::Push", 1, "x", changed},
-};
-inline constexpr std::size_t rows_that_count = 20;
-
-/// A graph of nodes, edges and quads (of four nodes, some of them twice).
+/// A graph of nodes, edges and quads (of four nodes, some of them twice); and groups of nodes and edges, which all
+/// ranks have.
 struct Graph {
   index_t nodes;
   std::vector<std::array<index_t, 2>> edges;
   std::vector<std::array<index_t, 4>> quads;
   std::vector<std::vector<elasticity::Incidence<float>>> ends, touches;
+  std::vector<std::vector<elasticity::Incidence<float>>> members;  ///< of each group: nodes (local 1) and edges (0)
+  std::vector<std::array<index_t, 2>> homes, links;                ///< two groups of each node, and of each group
 
   Graph(index_t count, std::mt19937& random) : nodes(count), ends(at(count)), touches(at(count)) {
     const auto number = [&](index_t below) { return static_cast<index_t>(random()) % below; };
@@ -271,6 +218,17 @@ struct Graph {
       touches[at(node)].push_back(incidence(t, 0));
       touches[at(quads.back()[3])].push_back(incidence(t, 3));
     }
+    members.resize(at(1 + number(nodes / 4 + 1)));
+    const auto groups = static_cast<index_t>(members.size());
+    for (index_t g = 0; g < groups; ++g) {
+      links.push_back({number(groups), number(groups)});
+      for (index_t k = number(9); k > 0; --k) members[at(g)].push_back(incidence(near(g * nodes / groups), 1));
+      for (index_t k = number(4); k > 0 && edge_count > 0; --k) {
+        members[at(g)].push_back(
+            incidence(is_local ? (g * edge_count / groups + k) % edge_count : number(edge_count), 0));
+      }
+    }
+    for (index_t n = 0; n < nodes; ++n) homes.push_back({n * groups / nodes, number(groups)});
   }
   static std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
   static elasticity::Incidence<float> incidence(index_t element, int local) {

@@ -66,6 +66,18 @@ TEST(Runs, begin_at_the_block_nearest_to_a_cut) {
       "physgen: runs of -1 objects on 2 ranks cannot exist; give a size that is not negative and one rank at least");
 }
 
+TEST(Runs, begin_where_they_are_cut_when_no_reduction_goes_by_them) {
+  const std::vector<index_t> cuts{5, 30, 20, 300};
+  const Runs runs = Runs::at(100, cuts);
+  EXPECT_EQ(runs.size(), 100);
+  EXPECT_EQ(runs.begin(0), 0);
+  EXPECT_EQ(runs.begin(1), 30);
+  EXPECT_EQ(runs.begin(2), 30) << "none is below the one before";
+  EXPECT_EQ(runs.begin(3), 100);
+  EXPECT_EQ(runs.owner(29), 0);
+  EXPECT_EQ(runs.owner(30), 2);
+}
+
 TEST(LocalSet, local_numbers_ascend_with_global_ones_and_owned_objects_begin_with_a_block) {
   const unsigned seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -59,9 +59,11 @@ TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
   EXPECT_EQ(step("OfTwo", {of(positions.const_view()), of(edges.const_view())}, 100),
             "physgen: OfTwo uses own objects of two sets, node and edge; correct its rows in the table of kernels, "
             "or say same_set() where they have the same objects");
-  EXPECT_EQ(step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
-            "physgen: OfOne runs over the objects of b.state, which all ranks have, and uses b.positions, of which "
-            "ranks have parts of set node; reduce what is wanted of it");
+  EXPECT_EQ(
+      step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
+      "physgen: OfOne runs over the objects of b.state, which all ranks have, and uses b.positions, of which "
+      "ranks have parts of set node; connect an index field of set one by which it finds these, or reduce what is "
+      "wanted of them");
   EXPECT_EQ(
       step("OfEntries", {of(ends.const_view())}, 60, HaloSteps::Way::reduce),
       "physgen: OfEntries is reduced over the entries of rows, b.ends, which have no blocks that all numbers of ranks "

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -56,7 +57,14 @@ class DistributedArrays : public Partition {
   /// @param shift the number is field >> shift, and what is below stays as it is
   template <class Ranges, class Entries, class Row>
   void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
-                    std::string_view target, const Row& row, int shift = 0);
+                    std::string_view target, const Row& row, int shift = 0) {
+    connect_rows(ranges, name, entries, field, {target}, row, shift, [](const auto& /*entry*/) { return 0; });
+  }
+  /// The same where entries name objects of several sets.
+  /// @param which which(entry) is the number of its set among `targets`
+  template <class Ranges, class Entries, class Row, class Which>
+  void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
+                    std::initializer_list<std::string_view> targets, const Row& row, int shift, const Which& which);
 
   // ---- After it. An array is told by its memory, so that programs may move and swap arrays. ----
 
@@ -64,6 +72,12 @@ class DistributedArrays : public Partition {
   template <class Array>
   [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
     return set_of(number_of_this(array));
+  }
+  /// The global numbers of an array's objects, by local ones; null where all ranks have all objects.
+  /// @throw Error when they are entries of rows, which have none
+  template <class Array>
+  [[nodiscard]] const index_t* global_numbers(const Array& array) {
+    return Partition::global_numbers(number_of_this(array));
   }
   /// Every object of an array, owned or a ghost: value(global number) gives the array's Value.
   template <class Array, class Value>
@@ -129,30 +143,36 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
   set_fresh(number_of_this(array), true);
 }
 
-template <class Ranges, class Entries, class Row>
+template <class Ranges, class Entries, class Row, class Which>
 void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& name, Entries& entries,
-                                     const std::string& field, std::string_view target, const Row& row, int shift) {
+                                     const std::string& field, std::initializer_list<std::string_view> targets,
+                                     const Row& row, int shift, const Which& which) {
   using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
-  const int named_set = number_of(target), rows = number_of_array(&ranges);
+  const int rows = number_of_array(&ranges);
   const auto scratch = std::make_shared<One>(1);
+  std::vector<int> named_sets;
+  for (const std::string_view target : targets) named_sets.push_back(number_of(target));
   add_set(name, 0, DistributedSet::Kind::entries);
   add(name, name, entries);
-  const auto named = [=](index_t object, std::vector<index_t>& numbers) {
-    for (const auto& entry : row(object)) {
-      scratch->view().put(index_t{0}, entry);
-      numbers.push_back(*index_at(scratch->untyped(), field, 0, 0) >> shift);
-    }
-  };
+  std::vector<std::pair<int, Named>> named;
+  for (std::size_t k = 0; k < named_sets.size(); ++k) {
+    named.emplace_back(named_sets[k], [=](index_t object, std::vector<index_t>& numbers) {
+      for (const auto& entry : row(object)) {
+        if (which(entry) != static_cast<int>(k)) continue;
+        scratch->view().put(index_t{0}, entry);
+        numbers.push_back(*index_at(scratch->untyped(), field, 0, 0) >> shift);
+      }
+    });
+  }
   const auto store = [=, this, &entries] {
     const DistributedArray& of_ranges = arrays()[static_cast<std::size_t>(rows)];
     const LocalSet& objects = *sets()[static_cast<std::size_t>(of_ranges.set)].local;
     std::vector<typename Entries::Value> all;
-    std::vector<index_t> begins;
     const detail::HostImage image(of_ranges.untyped());
     const UntypedArray& places = image.array();
     for (index_t i = 0; i < objects.size(); ++i) {
       *index_at(places, "begin", i, 0) = static_cast<std::int32_t>(all.size());
-      if (is_complete(of_ranges.set, i)) {
+      if (std::ranges::all_of(named_sets, [&](int set) { return is_complete(of_ranges.set, i, set); })) {
         for (const auto& entry : row(objects.global(i))) all.push_back(entry);
       }
       *index_at(places, "end", i, 0) = static_cast<std::int32_t>(all.size());
@@ -164,14 +184,16 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
     detail::edit_on_host(entries, [&](auto& here) {
       const auto view = here.view();
       for (index_t k = 0; k < static_cast<index_t>(all.size()); ++k) {
-        view.put(k, all[static_cast<std::size_t>(k)]);
+        const auto& entry = all[static_cast<std::size_t>(k)];
+        const int set = named_sets[static_cast<std::size_t>(which(entry))];
+        view.put(k, entry);
         std::int32_t* const number = index_at(here.untyped(), field, k, 0);
         const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
-        *number = (local_number(named_set, *number >> shift, name + "." + field) << shift) | below;
+        *number = (local_number(set, *number >> shift, name + "." + field) << shift) | below;
       }
     });
   };
-  connect_entries(&ranges, name, field, named_set, named, store);
+  connect_entries(&ranges, name, field, std::move(named), store);
 }
 
 template <class Array, class Body>

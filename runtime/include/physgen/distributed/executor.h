@@ -123,6 +123,12 @@ class DistributedExecutor<On> {
     return on_.value(array);
   }
 
+  /// See kernels/object_numbers.h. @throw Error when the array is of entries of rows
+  template <class Array>
+  [[nodiscard]] ObjectNumbers numbers_of(const Array& array) {
+    return {ranks_.count() == 1 ? nullptr : arrays_.global_numbers(array)};
+  }
+
   /// Kernels that the table lacks; see HaloSteps.
   [[nodiscard]] const std::set<std::string>& unknown_kernels() const { return steps_.unknown(); }
   [[nodiscard]] const Traffic& traffic() const { return arrays_.transport().traffic(); }

@@ -9,6 +9,7 @@
 namespace physgen {
 
 class Partition;
+class Runs;
 
 /// A field of an array, by their numbers in a Partition.
 struct HaloField {
@@ -28,6 +29,8 @@ class HaloExchange {
   virtual void begin(std::span<const HaloField> fields) = 0;
   /// What is done behind this finds them in the arrays.
   virtual void end() = 0;
+  /// Fields of a set that all ranks have: each gives all others those of the objects that it has computed.
+  virtual void gather(std::span<const HaloField> fields, const Runs& computed) = 0;
   /// The field of all ghosts becomes signalling NaN; an index field the lowest number.
   virtual void poison(const HaloField& field) = 0;
 };

@@ -30,7 +30,7 @@ class HaloSteps {
   struct Range {
     index_t begin, end;
   };
-  /// The objects of a step, by local numbers. No set: all ranks do the same.
+  /// The objects of a step, by local numbers. No set: of a set that all ranks have, or of none.
   struct Objects {
     index_t begin, end;
     const LocalSet* set;
@@ -56,11 +56,12 @@ class HaloSteps {
   /// Fetches what the step needs. One step ends before the next one begins.
   /// @param size with which the program calls the kernel
   /// @throw Error when the kernel writes objects of others, when what it reads is not to be had, or when it is not
-  /// known over which set it runs, or when it is begun inside of another step
+  /// known over which set it runs, or when it is begun inside of another step; when a step over a set that all ranks
+  /// have, which reads parts of others, is reduced or done by code that is not split
   [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, Way way);
   /// Waits for what begin() left crossing.
   void arrive() { exchange_->end(); }
-  /// Behind the step that was begun last.
+  /// Behind the step that was begun last. Of a set that all ranks have, what each has computed is given to all.
   void end();
   /// The same for a part of a reduction: its objects are those of the whole. Fields cross before the first part alone,
   /// since ranks may have other numbers of parts.
@@ -77,7 +78,8 @@ class HaloSteps {
  private:
   using Field = HaloField;
   struct Step {
-    int set = -1;  ///< that it runs over
+    int set = -1;              ///< that it runs over
+    bool is_gathered = false;  ///< whether ranks compute parts of a set that all have, since it reads parts of others
     std::set<Field> own, gathered, written;
     bool is_known = true;           ///< whether the table says all of what it reads of others
     bool reaches_on_ghosts = true;  ///< whether all that an object reads of others is here for ghosts, too
@@ -88,6 +90,15 @@ class HaloSteps {
   [[nodiscard]] Step resolve(std::span<const Kernel> kernels, index_t size);
   [[nodiscard]] std::vector<Use> uses_of(std::span<const Kernel> kernels);
   [[nodiscard]] int set_of(const std::vector<Use>& uses, index_t size);
+  /// The set of a step that is gathered. @pre it uses own objects of a set that all ranks have
+  [[nodiscard]] int set_that_is_gathered(const std::vector<Use>& uses) const;
+  [[noreturn]] void refuse_two_sets(const std::string& kernels, int one, int other) const;
+  [[noreturn]] void refuse_unknown(const std::string& kernels, int set) const;
+  /// Whether a field names objects of which ranks have parts, of a set that all have: see
+  /// DistributedArray::names_parts.
+  [[nodiscard]] bool names_parts(const Field& field) const;
+  /// Whether it is a use of something that not every rank has of all objects.
+  [[nodiscard]] bool needs_parts(const Use& use) const;
   [[nodiscard]] int set_of_all_ranks(const std::vector<Use>& uses, index_t size, bool has_parts);
   [[nodiscard]] static std::string names_of(const std::vector<Use>& uses);
   /// The set of the objects that a uniform array has one record of, or -1 of other arrays and sets.
@@ -98,12 +109,14 @@ class HaloSteps {
   /// Whether objects that an index field names are here, of all objects that the step may read it of.
   [[nodiscard]] bool reaches(const Step& step, const Partition::Naming& naming) const;
   void check_writes(const Use& use, int set) const;
-  void add_gathered(Step& step, const Use& use) const;
+  /// @param uses all of the step
+  void add_gathered(Step& step, const Use& use, const std::vector<Use>& uses) const;
   [[nodiscard]] bool is_fresh(const Field& field) const;
   void begin_exchange(const std::vector<Field>& fields);
   /// Owned objects of a set that name no ghost of sets of which fields cross.
   [[nodiscard]] std::vector<Range> inner_of(const DistributedSet& over, Way way) const;
   [[nodiscard]] const DistributedSet& set_of_array(int array) const;
+  [[nodiscard]] const std::string& array_name(const Use& use) const;
   [[nodiscard]] std::string name_of(const Field& field) const;
 
   Partition& arrays_;

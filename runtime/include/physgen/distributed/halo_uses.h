@@ -42,7 +42,9 @@ struct HaloUse {
   std::string_view field;  ///< "x"; "svd.U" of a nested object, "points.x" of a fixed array of them
   HaloAccess access;
   /// The index fields that name the others, by array and field, "body.edges.nodes"; several are separated by ", ".
-  /// Empty where no others are used, or where it is not known: several ranks refuse a kernel that reads others so.
+  /// "level.edges.nodes" also means level[0].edges.nodes and level[1].edges.nodes, of arrays that are added with
+  /// numbers. Empty where no others are used, or where it is not known: several ranks refuse a kernel that reads others
+  /// so.
   std::string_view through = {};
 
   bool operator==(const HaloUse&) const = default;

@@ -5,6 +5,7 @@
 #include <physgen/arrays/view.h>
 #include <physgen/distributed/kernel_view.h>
 #include <physgen/fuse.h>
+#include <physgen/kernels/object_numbers.h>
 #include <physgen/launch/in_lanes.h>
 #include <physgen/rows.h>
 
@@ -121,8 +122,8 @@ void with_members(const T& of, const Each& each) {
 
 /// Eigen's matrices and vectors are numbers.
 template <class T>
-concept OfNumbers =
-    std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_empty_v<T> || requires { T::RowsAtCompileTime; };
+concept OfNumbers = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_empty_v<T> ||
+                    std::is_same_v<T, ObjectNumbers> || requires { T::RowsAtCompileTime; };
 
 template <class T>
 concept Shown = std::is_aggregate_v<T> && !std::is_array_v<T>;

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace physgen {
@@ -22,7 +23,7 @@ namespace physgen {
 struct DistributedSet {
   enum class Kind {
     owned,       ///< each object is owned by one rank
-    replicated,  ///< all ranks have all objects, and compute the same
+    replicated,  ///< all ranks have all objects
     entries,     ///< the entries of rows: those of the rows that a rank has
     same         ///< another name of a set, same_as
   };
@@ -31,8 +32,14 @@ struct DistributedSet {
   Kind kind = Kind::owned;
   int follows = -1;  ///< the set of which an owned object makes objects of this one present
   int same_as = -1;
+  /// Behind cut(): whether ranks have parts of it. Entries are such where a rank has some of their rows alone.
+  bool has_parts = false;
   std::optional<LocalSet> local;
+  /// Of a replicated set whose objects name some of which ranks have parts: those that a rank computes for all, in
+  /// steps that read what they name. Steps that read nothing of that compute all objects, on all ranks.
+  std::optional<Runs> computed;
   HaloPlan plan;
+  std::vector<index_t> numbers = {};  ///< global ones, by local ones; none before they are asked for
   /// Of each group of local objects: bit s % 64 where one of them names a ghost of set s, by itself or through objects
   /// of sets that follow.
   std::vector<std::uint64_t> reached;
@@ -50,6 +57,9 @@ struct DistributedArray {
   UntypedArray memory = {};         ///< behind cut(), wherever a program moves or swaps its arrays to
   std::vector<char> is_fresh = {};  ///< of each field: whether ghosts have their owners' values
   std::vector<char> is_index = {};  ///< of each field: local numbers, which never cross
+  /// Of each field of a replicated set: whether it names objects of which ranks have parts, itself or by rows. A rank
+  /// has it of those objects alone that it computes.
+  std::vector<char> names_parts = {};
 };
 
 /// The base of DistributedArrays, which has what users call.
@@ -81,7 +91,7 @@ class Partition {
 
   /// Decides what each rank owns, makes what it needs of others present, and gives the arrays their objects, with
   /// initial values, and with local numbers in the fields that name others.
-  /// @throw Error when a number names no object, or all ranks have a set that names one of which they have parts
+  /// @throw Error when a number names no object
   void cut();
 
   // ---- After it. ----
@@ -95,10 +105,10 @@ class Partition {
   [[nodiscard]] std::vector<DistributedArray>& arrays() { return arrays_; }
   /// The array whose memory begins there, or -1.
   [[nodiscard]] int find(const std::byte* base) const;
-  /// An index field, "body.edges.nodes": the set of the array that has it, and the one that it names.
+  /// An index field, "body.edges.nodes": the array that has it, the set of that, and the one that it names.
   struct Naming {
     std::string field;
-    int source, target;
+    int source, target, array;
   };
   [[nodiscard]] const std::vector<Naming>& namings() const { return namings_; }
 
@@ -109,9 +119,10 @@ class Partition {
   void add_set(const std::string& name, index_t size, DistributedSet::Kind kind);
   void add_array(DistributedArray array);
   void connect_field(const void* array, const std::string& field, std::string_view target, Named named);
+  /// @param targets the sets that entries name, and which numbers of each
   /// @param store makes rows, behind cut()
-  void connect_entries(const void* ranges, const std::string& name, const std::string& field, int target, Named named,
-                       std::function<void()> store);
+  void connect_entries(const void* ranges, const std::string& name, const std::string& field,
+                       std::vector<std::pair<int, Named>> targets, std::function<void()> store);
   [[nodiscard]] int number_of(std::string_view set) const;
   [[nodiscard]] int number_of_array(const void* array) const;
   [[nodiscard]] const LocalSet& set_of(int array) const;
@@ -120,8 +131,9 @@ class Partition {
   /// @throw Error when it has memory of its own
   [[nodiscard]] int number_by_memory(const void* array, const std::byte* base) const;
   void set_fresh(int array, bool is_fresh);
-  /// Whether all that an object names is here.
-  [[nodiscard]] bool is_complete(int set, index_t local) const;
+  [[nodiscard]] const index_t* global_numbers(int array);
+  /// Whether all that an object names of a set is here.
+  [[nodiscard]] bool is_complete(int set, index_t local, int target) const;
   /// Of a global number; -1 where it is not here. @throw Error when the set has no such object
   [[nodiscard]] std::int32_t local_number(int set, index_t number, const std::string& of) const;
   [[nodiscard]] static std::int32_t* index_at(const UntypedArray& array, std::string_view field, index_t object, int k);
@@ -132,10 +144,12 @@ class Partition {
   struct Connection {
     int source, target;
     Named named;
-    std::function<void()> store;  ///< local numbers, behind cut()
+    std::function<void()> store;  ///< local numbers, behind cut(); or none, where another connection does
   };
   void decide_runs();
+  void decide_computed();
   void find_ghosts();
+  void find_fields_that_name_parts();
   void find_reached();
   [[nodiscard]] bool is_followed(int set) const;
 

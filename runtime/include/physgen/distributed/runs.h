@@ -9,8 +9,8 @@
 namespace physgen {
 
 /// Rank r owns the objects begin(r) .. end(r)-1. Every run but that of the last objects has whole blocks of a reduction
-/// (launch/reduce.h), so that the values of blocks, and what they add up to, are those of one process. Ranks may own
-/// nothing.
+/// (launch/reduce.h), so that the values of blocks, and what they add up to, are those of one process; but for those of
+/// at(). Ranks may own nothing.
 class Runs {
  public:
   static constexpr index_t block = 2048;  ///< objects of a block of reductions
@@ -22,6 +22,9 @@ class Runs {
   /// those of another set do.
   /// @param cuts of each rank, ascending; the first run begins with object 0 in any case
   [[nodiscard]] static Runs near(index_t size, std::span<const index_t> cuts);
+  /// Runs that begin with these objects: of what no reduction goes by.
+  /// @param cuts as above
+  [[nodiscard]] static Runs at(index_t size, std::span<const index_t> cuts);
 
   [[nodiscard]] index_t size() const { return begins_.back(); }
   [[nodiscard]] int ranks() const { return static_cast<int>(begins_.size()) - 1; }

@@ -145,6 +145,40 @@ class DeviceExchange final : public HaloExchange {
     move<Way::unpack>(unpacked_, stream_);
   }
 
+  void gather(std::span<const HaloField> fields, const Runs& computed) override {
+    // Of each rank as many bytes, those of the rank that computes most.
+    index_t stride = 0;
+    for (int r = 0; r < computed.ranks(); ++r) {
+      index_t bytes = 0;
+      each_field(fields, [&](const UntypedArray&, const FieldInfo& info) {
+        bytes += bytes_of(info, computed.end(r) - computed.begin(r));
+      });
+      stride = std::max(stride, bytes);
+    }
+    if (stride == 0) return;
+    reserve(sent_, stride);
+    reserve(received_, stride * computed.ranks());
+    const auto pieces_of = [&](int rank, std::byte* bytes, std::vector<Piece>& pieces) {
+      const index_t first = computed.begin(rank), count = computed.end(rank) - first;
+      each_field(fields, [&](const UntypedArray& memory, const FieldInfo& info) {
+        if (count == 0) return;
+        pieces.push_back({detail::Addressing(memory), nullptr, first, count, info.offset, element_bytes(info.type),
+                          info.count, bytes});
+        bytes += bytes_of(info, count);
+      });
+    };
+    std::vector<Piece> mine, others;
+    pieces_of(transport_.rank(), sent_.data(), mine);
+    for (int r = 0; r < computed.ranks(); ++r) {
+      if (r != transport_.rank()) pieces_of(r, received_.data() + r * stride, others);
+    }
+    move<Way::pack>(mine, stream_);
+    const auto bytes = static_cast<std::size_t>(stride);
+    const std::vector<index_t> sizes(static_cast<std::size_t>(computed.ranks()), stride);
+    transport_.gather({sent_.data(), bytes}, sizes, {received_.data(), bytes * sizes.size()});
+    move<Way::unpack>(others, stream_);
+  }
+
   void poison(const HaloField& field) override {
     const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
     const LocalSet& objects = *arrays_.sets()[static_cast<std::size_t>(array.set)].local;
@@ -165,6 +199,14 @@ class DeviceExchange final : public HaloExchange {
     const index_t* list;
   };
 
+  template <class Use>
+  void each_field(std::span<const HaloField> fields, const Use& use) const {
+    for (const HaloField& field : fields) {
+      const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
+      const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
+      if (info.is_stored()) use(memory, info);
+    }
+  }
   /// Calls use(peer, info, place) for each field and each rank that has objects of it; all ranks in the same order.
   template <class Use>
   void each(std::span<const HaloField> fields, const Use& use) const {

@@ -10,9 +10,11 @@
 #include <physgen/distributed/cuda/transports.h>
 #include <physgen/distributed/options.h>
 #include <physgen/distributed/step_kernels.h>
+#include <physgen/kernels/object_numbers.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -150,6 +152,20 @@ class DistributedExecutor<On> {
     return on_.value(array);
   }
 
+  /// See kernels/object_numbers.h. @throw Error when the array is of entries of rows
+  template <class Array>
+  [[nodiscard]] ObjectNumbers numbers_of(const Array& array) {
+    const index_t* const numbers = ranks_.count() == 1 ? nullptr : arrays_.global_numbers(array);
+    if (numbers == nullptr) return {};
+    Buffer& here = numbers_[numbers];
+    const auto bytes = arrays_.objects_of(array).size() * index_t{sizeof(index_t)};
+    if (here.bytes() < bytes) {
+      here = Buffer(SpaceKind::cuda, bytes, "global numbers");
+      copy_memory(here.data(), SpaceKind::cuda, reinterpret_cast<const std::byte*>(numbers), SpaceKind::host, bytes);
+    }
+    return {reinterpret_cast<const index_t*>(here.data())};
+  }
+
   /// Kernels that the table lacks; see HaloSteps.
   [[nodiscard]] const std::set<std::string>& unknown_kernels() const {
     static const std::set<std::string> none;
@@ -197,6 +213,7 @@ class DistributedExecutor<On> {
   On on_;
   bool loops_on_host_ = std::getenv("PHYSGEN_LOOPS_ON_HOST") != nullptr;
   Buffer is_done_{SpaceKind::pinned, sizeof(int), "whether a loop is done"};
+  std::map<const index_t*, Buffer> numbers_;  ///< on the device, by those of the host
   cuda::DeviceTransport crossing_{nullptr, "none"};
   std::optional<HaloSteps> steps_;
   std::optional<detail::DeviceBlockValues> values_;

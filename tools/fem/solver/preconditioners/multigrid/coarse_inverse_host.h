@@ -13,29 +13,40 @@ namespace physgen::fem {
 
 namespace detail {
 
+/// What invert_dense() uses of a level.
+template <class Stiffness, class InverseView>
+struct InvertStiffness {
+  Stiffness stiffness;  ///< ScaledStiffness
+  InverseView inverse;  ///< quasistatic::CoarseInverse, written
+};
+
 template <class Level>
-void invert_dense(Level& level) {
-  const index_t n = level.nodes();
+[[nodiscard]] auto inverse_of(Level& level) {
+  return InvertStiffness{scaled_stiffness(level), level.coarse_inverse.view()};
+}
+
+template <class Stiffness, class InverseView>
+void invert_dense(const InvertStiffness<Stiffness, InverseView>& of) {
+  using Real = typename InverseView::Precision;
+  const auto& [stiffness, inverse] = of;
+  const index_t n = stiffness.nodes.size();
   using Dense = Eigen::MatrixXd;
   Dense A = Dense::Zero(3 * n, 3 * n);
-  const auto stiffness = scaled_stiffness(level);
   const auto put = [&](index_t i, index_t j, const auto& block) {
     A.block<3, 3>(3 * i, 3 * j) = block.template cast<double>();
   };
   for (index_t i = 0; i < n; ++i) stiffness.put_node(i, put);
-  for (index_t e = 0; e < level.edge_count(); ++e) stiffness.put_edge(e, put);
+  for (index_t e = 0; e < stiffness.edges.size(); ++e) stiffness.put_edge(e, put);
   const Eigen::LDLT<Dense> factors(A);
   Dense G = factors.matrixL().solve(Dense(factors.transpositionsP() * Dense::Identity(3 * n, 3 * n)));
   for (index_t k = 0; k < 3 * n; ++k) {
     const double pivot = factors.vectorD()[k];
-    G.row(k) *= pivot > double{least_coarse_pivot<typename Level::Real>} ? 1 / pivot : 0;
+    G.row(k) *= pivot > double{least_coarse_pivot<Real>} ? 1 / pivot : 0;
   }
   G = factors.transpositionsP().transpose() * Dense(factors.matrixU().solve(G));
-  const auto inverse = level.coarse_inverse.view();
   for (index_t i = 0; i < n; ++i) {
     for (index_t j = 0; j < n; ++j) {
-      inverse[i * n + j].G() =
-          Eigen::Matrix<typename Level::Real, 3, 3>(G.block<3, 3>(3 * i, 3 * j).template cast<typename Level::Real>());
+      inverse[i * n + j].G() = Eigen::Matrix<Real, 3, 3>(G.block<3, 3>(3 * i, 3 * j).template cast<Real>());
     }
   }
 }
@@ -46,7 +57,8 @@ void invert_dense(Level& level) {
 template <PerformsIn<Host> On, class Level>
 void invert_coarsest(On& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
-  on.perform([&](Stream /*stream*/) { detail::invert_dense(level); });
+  perform_in_place_of(on, level.nodes(), detail::inverse_of(level),
+                      [&](Stream /*stream*/) { detail::invert_dense(detail::inverse_of(level)); });
 }
 
 }  // namespace physgen::fem

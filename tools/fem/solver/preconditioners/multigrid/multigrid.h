@@ -44,7 +44,7 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
   }
   const auto power = level.power.view();
   const auto smoother = level.smoother.view();
-  if (fresh) on.run(n, ScatterDirection{power});
+  if (fresh) on.run(n, ScatterDirection{numbers_of(on, level.power), power});
   const int steps = fresh ? settings.first_power_steps : settings.next_power_steps;
   for (int k = 1; k <= steps; ++k) {  // the last one is measured
     if (k == steps || k % 8 == 0) {

@@ -5,6 +5,7 @@
 
 #include <fem/solver/levels/scattered.h>
 #include <fem/solver/preconditioners/multigrid/smoother.h>
+#include <physgen/kernels/object_numbers.h>
 
 namespace physgen::fem {
 
@@ -12,11 +13,12 @@ namespace physgen::fem {
 template <class DirectionView>
 struct ScatterDirection {
   using Scalar = typename DirectionView::Precision;
+  ObjectNumbers numbers;    ///< of nodes
   DirectionView direction;  ///< elasticity::NodeDisplacement, written
 
   PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     for (int k = 0; k < 3; ++k)
-      direction[node].dx()[k] = static_cast<Scalar>(detail::scattered(3 * object_number(node) + k, 0));
+      direction[node].dx()[k] = static_cast<Scalar>(detail::scattered(3 * numbers.of(node) + k, 0));
   }
 };
 

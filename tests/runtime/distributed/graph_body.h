@@ -1,7 +1,9 @@
-// The arrays of random programs over random graphs, of all objects or of a rank's; on the host or on a device.
+// The arrays of a program over a graph: of all objects, or on several ranks; on the host, or on a device.
 #pragma once
 
-#include <algorithm>
+#include <physgen/distributed/arrays.h>
+
+#include <vector>
 
 #include "graphs.h"
 
@@ -18,8 +20,12 @@ struct Body {
   Array<elasticity::NodeForceDifferentialObject, Real, Space, S> shares;
   Array<elasticity::EdgeObject, Real, Space, M> edges;
   Array<elasticity::TetObject, Real, Space, F> quads;
-  elasticity::IncidenceRangeArray<float, Space> ranges, touched;
-  elasticity::IncidenceArray<float, Space> ends, touches;
+  elasticity::IncidenceRangeArray<float, Space> ranges, touched, member_ranges;
+  elasticity::IncidenceArray<float, Space> ends, touches, members;
+  // Of groups; and of nodes.
+  Array<elasticity::NodeForceObject, Real, Space, S, Stored> totals;
+  Array<elasticity::NodeDisplacementObject, Real, Space, F> calms;
+  Array<elasticity::EdgeObject, Real, Space, X> links, homes;
   elasticity::NodeForceArray<double, Space> state;
 };
 template <class Space>
@@ -59,22 +65,31 @@ void fill(Body& body, const Graph& graph) {
     array.resize(static_cast<index_t>(all.size()));
     for (index_t k = 0; k < array.size(); ++k) array.view().put(k, all[Graph::at(k)]);
   };
-  for (const auto resize : {graph.nodes}) {
-    body.positions.resize(resize);
-    body.forces.resize(resize);
-    body.means.resize(resize);
-  }
+  body.positions.resize(graph.nodes);
+  body.forces.resize(graph.nodes);
+  body.means.resize(graph.nodes);
+  body.homes.resize(graph.nodes);
   body.state.resize(1);
+  for (const auto groups : {static_cast<index_t>(graph.links.size())}) {
+    body.totals.resize(groups);
+    body.calms.resize(groups);
+    body.links.resize(groups);
+  }
   body.edges.resize(static_cast<index_t>(graph.edges.size()));
   body.springs.resize(body.edges.size());
   body.quads.resize(static_cast<index_t>(graph.quads.size()));
   body.shares.resize(body.quads.size());
   entries(body.ranges, body.ends, graph.ends);
   entries(body.touched, body.touches, graph.touches);
+  entries(body.member_ranges, body.members, graph.members);
   for (index_t i = 0; i < graph.nodes; ++i) body.positions.view().put(i, position<Body>(i));
-  for (index_t e = 0; e < body.edges.size(); ++e)
-    for (int k = 0; k < 2; ++k)
-      body.edges[e].nodes()[k] = static_cast<std::int32_t>(graph.edges[Graph::at(e)][Graph::at(k)]);
+  const auto pairs = [](auto& array, const auto& named) {
+    for (index_t e = 0; e < array.size(); ++e)
+      for (int k = 0; k < 2; ++k) array[e].nodes()[k] = static_cast<std::int32_t>(named[Graph::at(e)][Graph::at(k)]);
+  };
+  pairs(body.edges, graph.edges);
+  pairs(body.links, graph.links);
+  pairs(body.homes, graph.homes);
   for (index_t t = 0; t < body.quads.size(); ++t)
     for (int k = 0; k < 4; ++k)
       body.quads[t].nodes()[k] = static_cast<std::int32_t>(graph.quads[Graph::at(t)][Graph::at(k)]);
@@ -95,7 +110,9 @@ void fill_anywhere(Body& body, const Graph& graph) {
     take(body.positions, here.positions), take(body.forces, here.forces), take(body.springs, here.springs);
     take(body.means, here.means), take(body.shares, here.shares), take(body.edges, here.edges);
     take(body.quads, here.quads), take(body.ranges, here.ranges), take(body.touched, here.touched);
-    take(body.ends, here.ends), take(body.touches, here.touches), take(body.state, here.state);
+    take(body.member_ranges, here.member_ranges), take(body.ends, here.ends), take(body.touches, here.touches);
+    take(body.members, here.members), take(body.totals, here.totals), take(body.calms, here.calms);
+    take(body.links, here.links), take(body.homes, here.homes), take(body.state, here.state);
     synchronize();
   }
 }
@@ -128,6 +145,18 @@ void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool 
   arrays.same_set("spring", "edge");  // behind what has them
   arrays.connect_rows(body.touched, "b.touches", body.touches, "element", "quad",
                       [&](index_t i) -> const auto& { return graph.touches[Graph::at(i)]; });
+  arrays.add_replicated_set("group", static_cast<index_t>(graph.links.size()));
+  arrays.add("b.totals", "group", body.totals);
+  arrays.add("b.calms", "group", body.calms);
+  arrays.add("b.links", "group", body.links);
+  arrays.add("b.homes", "mean", body.homes);
+  arrays.add("b.member_ranges", "group", body.member_ranges);
+  arrays.connect(body.links, "nodes", "group", [&](index_t g) { return graph.links[Graph::at(g)]; });
+  arrays.connect(body.homes, "nodes", "group", [&](index_t n) { return graph.homes[Graph::at(n)]; });
+  arrays.connect_rows(
+      body.member_ranges, "b.members", body.members, "element", {"spring", "node"},
+      [&](index_t g) -> const auto& { return graph.members[Graph::at(g)]; }, 0,
+      [](const auto& member) { return int(member.local); });
   arrays.cut();
 }
 

@@ -1,0 +1,67 @@
+// Which levels are cut, and what cannot be cut. conjugate_gradients.cpp has their bits on several ranks.
+#include <fem/solver/levels/distributed_levels.h>
+#include <fem/solver/levels/level_halos.h>
+#include <gtest/gtest.h>
+#include <quasistatic.scene.h>
+
+namespace physgen::fem {
+namespace {
+
+using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes,
+                        scenes::quasistatic_scene::Level<Host, float, StoredAsComputed>, NoArrays, NoArrays, NoArrays>;
+
+std::vector<LevelGraph> graphs_of(std::initializer_list<Index> nodes) {
+  std::vector<LevelGraph> graphs;
+  for (const Index n : nodes) graphs.emplace_back().nodes = n;
+  return graphs;
+}
+
+TEST(LevelsThatAreCut, are_the_finest_and_those_that_are_large_for_the_ranks) {
+  EXPECT_EQ(levels_that_are_cut(graphs_of({8}), 4), 1U) << "the finest one always";
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 15625}), 2), 2U);
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 15625}), 7), 2U);
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 15625}), 8), 1U) << "less than 8 blocks a rank";
+  EXPECT_EQ(levels_that_are_cut(graphs_of({357911, 50653, 6859}), 2), 1U) << "36^3 cells stand on every rank";
+  EXPECT_EQ(levels_that_are_cut(graphs_of({357911, 50654, 6859}), 2), 2U);
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 40000}), 2, 30000), 3U);
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 20000, 117649}), 2), 1U) << "none below one that is not";
+}
+
+TEST(Levels, of_a_background_grid_are_refused) {
+  int argc = 0;
+  char** argv = nullptr;
+  const Ranks ranks(argc, argv);
+  for (const bool is_grid : {true, false}) {
+    DistributedArrays arrays(ranks, {});
+    std::vector<LevelGraph> graphs = graphs_of({8, 4});
+    graphs[1].is_grid = is_grid;
+    if (!is_grid) graphs[1].grid_parents.resize(4);
+    std::vector<std::unique_ptr<Level>> levels(2);
+    for (auto& level : levels) level = std::make_unique<Level>(Level::Own());
+    try {
+      add_levels(arrays, levels, std::span<const LevelGraph>(graphs), 1);
+      FAIL() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_STREQ(
+          error.what(),
+          "physgen: level 1 lies in a background grid, which several ranks do not have; give meshes that halve "
+          "each other's cells");
+    }
+  }
+}
+
+TEST(HalosOfLevels, replace_the_rows_that_a_scene_has_of_the_same_kernels) {
+  constexpr HaloUse scene[] = {{"physgen::fem::RestrictResidual", 3, "scale", {.reads_own = true}},
+                               {"physgen::fem::TakeStep", 5, "dx", {.reads_own = true, .writes_own = true}}};
+  int of_restriction = 0, of_steps = 0;
+  for (const HaloUse& row : with_halos_of_levels(scene)) {
+    EXPECT_FALSE(row == scene[0]);
+    of_restriction += row.kernel == scene[0].kernel ? 1 : 0;
+    of_steps += row == scene[1] ? 1 : 0;
+  }
+  EXPECT_EQ(of_restriction, 9);
+  EXPECT_EQ(of_steps, 1);
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,166 @@
+// The arrays of levels on several ranks: the finest levels are cut, and coarser ones stand on every rank. The arrays of
+// level l are level[l].constraints and so on; its sets level[l].node and level[l].edge.
+//
+//   DistributedArrays arrays(ranks, with_halos_of_levels(scenes::quasistatic_scene::halos));
+//   add_levels(arrays, levels, graphs, levels_that_are_cut(graphs, ranks.count()));
+//   arrays.cut();
+//   fill_levels(arrays, levels, graphs);
+#pragma once
+
+#include <fem/mesh/at.h>
+#include <fem/solver/hierarchy/galerkin_block.h>
+#include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/levels/linear_level.h>
+#include <physgen/distributed/arrays.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace physgen::fem {
+
+/// Coarser levels of so many nodes, those of a cube of 36^3 cells, stand on every rank.
+inline constexpr index_t replicated_nodes = 50653;
+
+/// The number of levels that are cut: the finest, and those below it that have more nodes than `replicated`, and eight
+/// blocks a rank. @param graphs finest first
+[[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> graphs, int ranks,
+                                                     index_t replicated = replicated_nodes) {
+  std::size_t cut = 1;
+  while (cut < graphs.size() && graphs[cut].nodes > replicated && graphs[cut].nodes >= 8 * Runs::block * ranks) ++cut;
+  return cut;
+}
+
+namespace detail {
+
+[[nodiscard]] inline std::string level_name(std::size_t l, const char* name) {
+  return "level[" + std::to_string(l) + "]." + name;
+}
+
+/// A row of a list, packed. @param elements of the list, for which its codes must do
+template <class Packing>
+[[nodiscard]] auto packed_row_of(const IncidenceList& list, index_t elements, const char* name) {
+  if (elements > Packing::most_elements) {
+    throw Error("a level has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
+                std::to_string(Packing::most_elements) + "; use fewer cells");
+  }
+  return [&list](index_t row) {
+    std::vector<quasistatic::PackedIncidence<float>> packed;
+    for (Index k = list.first[at(row)]; k < list.first[at(row) + 1]; ++k) {
+      const IncidenceEntry& entry = list.entries[at(k)];
+      packed.emplace_back().code = entry.element << Packing::bits | entry.local;
+    }
+    return packed;
+  };
+}
+
+/// To the next coarser level.
+template <class Level>
+void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGraph& graph, std::size_t l) {
+  const auto nodes = index_t{graph.nodes}, edges = static_cast<index_t>(graph.edges.size());
+  const std::string node = level_name(l, "node"), edge = level_name(l, "edge");
+  arrays.connect(contents_of(level.parents), "nodes", level_name(l + 1, "node"),
+                 [&graph](index_t n) { return graph.parents[at(n)]; });
+  arrays.connect_rows(contents_of(level.child_ranges), level_name(l, "child_entries"), contents_of(level.child_entries),
+                      "code", node, packed_row_of<ChildEntry>(graph.children, nodes, "nodes"), ChildEntry::bits);
+  arrays.connect_rows(contents_of(level.edge_term_ranges), level_name(l, "edge_term_entries"),
+                      contents_of(level.edge_term_entries), "code", {node, edge},
+                      packed_row_of<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges"),
+                      EdgeTermEntry::bits, [](const auto& entry) {
+                        const int code = entry.code & ((1 << EdgeTermEntry::bits) - 1);
+                        return galerkin_block(code) == GalerkinBlock::node ? 0 : 1;
+                      });
+}
+
+}  // namespace detail
+
+/// Tells which arrays levels have, and what names what. Before cut().
+/// @param levels without objects, finest first. @param graphs of them, all of each; they outlive cut()
+/// @param cut the finest so many are cut
+/// @throw Error when one of them is of a background grid, or has more edges than lists can number
+template <class Level>
+void add_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& levels,
+                std::span<const LevelGraph> graphs, std::size_t cut) {
+  for (std::size_t l = 0; l < graphs.size(); ++l) {
+    const auto nodes = index_t{graphs[l].nodes}, edges = static_cast<index_t>(graphs[l].edges.size());
+    if (graphs[l].is_grid || !graphs[l].grid_parents.empty()) {
+      throw Error(
+          "level " + std::to_string(l) +
+          " lies in a background grid, which several ranks do not have; give meshes that halve each other's cells");
+    }
+    const auto add_set = [&](const char* name, index_t size) {
+      l < cut ? arrays.add_set(detail::level_name(l, name), size)
+              : arrays.add_replicated_set(detail::level_name(l, name), size);
+    };
+    add_set("node", nodes);
+    add_set("edge", edges);
+    if (l < cut) arrays.follow(detail::level_name(l, "edge"), detail::level_name(l, "node"));
+    const bool is_inverted = l >= cut && l + 1 == graphs.size() && nodes <= most_coarse_nodes;
+    if (is_inverted) arrays.add_replicated_set(detail::level_name(l, "coarse_pair"), nodes * nodes);
+  }
+  for (std::size_t l = 0; l < graphs.size(); ++l) {
+    Level& level = *levels[l];
+    const LevelGraph& graph = graphs[l];
+    const std::string node = detail::level_name(l, "node"), edge = detail::level_name(l, "edge");
+    const auto add = [&](const char* name, const std::string& set, auto& array) {
+      arrays.add(detail::level_name(l, name), set, contents_of(array));
+    };
+    add("constraints", node, level.constraints);
+    add("edges", edge, level.edges);
+    add("node_edge_ranges", node, level.node_edge_ranges);
+    add("node_stiffness", node, level.node_stiffness);
+    add("edge_stiffness", edge, level.edge_stiffness);
+    add("scales", node, level.scales);
+    add("scaled_nodes", node, level.scaled_nodes);
+    add("scaled_edges", edge, level.scaled_edges);
+    add("inverse", node, level.inverse);
+    add("residual", node, level.residual);
+    add("correction", node, level.correction);
+    add("direction", node, level.direction);
+    add("power", node, level.power);
+    level.smoother.resize(1);
+    arrays.connect(contents_of(level.edges), "nodes", node, [&graph](index_t e) { return graph.edges[at(e)]; });
+    arrays.connect_rows(
+        contents_of(level.node_edge_ranges), detail::level_name(l, "node_edge_entries"),
+        contents_of(level.node_edge_entries), "code", edge,
+        detail::packed_row_of<NodeEdgeEntry>(graph.node_edges, static_cast<index_t>(graph.edges.size()), "edges"),
+        NodeEdgeEntry::bits);
+    if (l + 1 < graphs.size()) {
+      add("parents", node, level.parents);
+      add("child_ranges", detail::level_name(l + 1, "node"), level.child_ranges);
+      add("edge_term_ranges", detail::level_name(l + 1, "edge"), level.edge_term_ranges);
+      detail::connect_to_coarser(arrays, level, graph, l);
+    } else if (l >= cut && graph.nodes <= most_coarse_nodes) {
+      add("coarse_inverse", detail::level_name(l, "coarse_pair"), level.coarse_inverse);
+    }
+  }
+}
+
+/// Constraints, and the lists that products go by. Behind cut().
+template <class Level>
+void fill_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& levels,
+                 std::span<const LevelGraph> graphs) {
+  for (std::size_t l = 0; l < graphs.size(); ++l) {
+    Level& level = *levels[l];
+    arrays.fill(contents_of(level.constraints), [&](index_t node) {
+      typename decltype(level.constraints)::Value value{};
+      value.fixed = graphs[l].fixed[at(node)];
+      return value;
+    });
+    // Of the edges that are here; objects before the first and behind the last stand for none.
+    const LocalSet& edges = arrays.objects_of(contents_of(level.edges));
+    std::vector<std::array<Index, 2>> ends(static_cast<std::size_t>(edges.size()));
+    const auto view = level.edges.const_view();
+    for (index_t e = edges.first(); e < edges.last(); ++e) {
+      for (int k = 0; k < 2; ++k) ends[at(e)][static_cast<std::size_t>(k)] = view[e].nodes()[k];
+    }
+    const bool has_edges = edges.first() < edges.last();
+    level.sums = EdgeSums(static_cast<Index>(level.nodes()), ends, SpaceKind::host, sizeof(typename Level::Real),
+                          SumOrder::fixed, has_edges ? edges.first() : edges.size());
+  }
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,81 @@
+// Rows of the table of kernels (physgen/distributed/halo_uses.h) for steps of levels that the table of a scene lacks:
+// those of products, which are performed in the host's own way, and those of kernels between two levels, whose arrays a
+// scene has but once, under one name.
+#pragma once
+
+#include <physgen/distributed/halo_uses.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace physgen::fem {
+
+namespace detail {
+
+inline constexpr const char *of_child_ranges = "level.child_ranges.begin, level.child_ranges.end",
+                            *of_children = "level.child_entries.code", *of_parents = "level.parents.nodes",
+                            *of_term_ranges = "level.edge_term_ranges.begin, level.edge_term_ranges.end",
+                            *of_terms = "level.edge_term_entries.code", *of_edges = "level.edges.nodes",
+                            *of_node_edges = "level.node_edge_entries.code";
+inline constexpr HaloAccess reads_own{.reads_own = true}, reads_others{.reads_others = true},
+    reads_all{.reads_own = true, .reads_others = true}, writes_own{.writes_own = true},
+    changes_own{.reads_own = true, .writes_own = true};
+
+inline constexpr HaloUse halos_of_levels[] = {
+    {"physgen::fem::SymmetricProduct", 0, "K", reads_own},
+    {"physgen::fem::SymmetricProduct", 1, "E", reads_others, of_node_edges},
+    {"physgen::fem::SymmetricProduct", 2, "nodes", reads_others, of_node_edges},
+    {"physgen::fem::SymmetricProduct", 3, "dx", reads_all, of_edges},
+    {"physgen::fem::SymmetricProduct", 4, "df", changes_own},
+
+    {"physgen::fem::RestrictResidual", 0, "", {}},
+    {"physgen::fem::RestrictResidual", 1, "begin", reads_own},
+    {"physgen::fem::RestrictResidual", 1, "end", reads_own},
+    {"physgen::fem::RestrictResidual", 2, "code", reads_others, of_child_ranges},
+    {"physgen::fem::RestrictResidual", 3, "inverse", reads_others, of_children},
+    {"physgen::fem::RestrictResidual", 4, "df", reads_others, of_children},
+    {"physgen::fem::RestrictResidual", 5, "fixed", reads_own},
+    {"physgen::fem::RestrictResidual", 6, "scale", reads_own},
+    {"physgen::fem::RestrictResidual", 7, "df", writes_own},
+
+    {"physgen::fem::InterpolateCorrection", 0, "nodes", reads_own},
+    {"physgen::fem::InterpolateCorrection", 1, "scale", reads_others, of_parents},
+    {"physgen::fem::InterpolateCorrection", 2, "dx", reads_others, of_parents},
+    {"physgen::fem::InterpolateCorrection", 3, "fixed", reads_own},
+    {"physgen::fem::InterpolateCorrection", 4, "inverse", reads_own},
+    {"physgen::fem::InterpolateCorrection", 5, "K", reads_own},
+    {"physgen::fem::InterpolateCorrection", 6, "dx", writes_own},
+    {"physgen::fem::InterpolateCorrection", 7, "dx", changes_own},
+    {"physgen::fem::InterpolateCorrection", 8, "df", changes_own},
+
+    {"physgen::fem::CoarsenEdgeStiffness", 0, "begin", reads_own},
+    {"physgen::fem::CoarsenEdgeStiffness", 0, "end", reads_own},
+    {"physgen::fem::CoarsenEdgeStiffness", 1, "code", reads_others, of_term_ranges},
+    {"physgen::fem::CoarsenEdgeStiffness", 2, "K", reads_others, of_terms},
+    {"physgen::fem::CoarsenEdgeStiffness", 3, "E", reads_others, of_terms},
+    {"physgen::fem::CoarsenEdgeStiffness", 4, "E", writes_own},
+
+    // Of a level that all ranks have.
+    {"physgen::fem::detail::InvertStiffness", 0, "K", reads_others},
+    {"physgen::fem::detail::InvertStiffness", 1, "E", reads_others},
+    {"physgen::fem::detail::InvertStiffness", 2, "nodes", reads_others},
+    {"physgen::fem::detail::InvertStiffness", 3, "fixed", reads_others},
+    {"physgen::fem::detail::InvertStiffness", 4, "scale", reads_others},
+    {"physgen::fem::detail::InvertStiffness", 5, "G", {.writes_others = true}},
+};
+
+}  // namespace detail
+
+/// The table of a scene's program over levels of meshes, on several ranks.
+/// @param scene its own, of arrays "level.constraints" and so on
+[[nodiscard]] inline std::vector<HaloUse> with_halos_of_levels(HaloUses scene) {
+  std::vector<HaloUse> rows(std::begin(detail::halos_of_levels), std::end(detail::halos_of_levels));
+  std::ranges::copy_if(scene, std::back_inserter(rows), [](const HaloUse& row) {
+    return std::ranges::find(detail::halos_of_levels, row.kernel, &HaloUse::kernel) ==
+           std::end(detail::halos_of_levels);
+  });
+  return rows;
+}
+
+}  // namespace physgen::fem
