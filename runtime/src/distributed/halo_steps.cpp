@@ -2,10 +2,14 @@
 #include <physgen/distributed/halo_steps.h>
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace physgen {
+
+HaloSteps::HaloSteps(Partition& arrays, bool poisons, std::unique_ptr<HaloExchange> exchange)
+    : arrays_(arrays),
+      poisons_(poisons),
+      exchange_(exchange != nullptr ? std::move(exchange) : make_host_exchange(arrays)) {}
 
 const DistributedSet& HaloSteps::set_of_array(int array) const {
   return arrays_.sets()[static_cast<std::size_t>(arrays_.arrays()[static_cast<std::size_t>(array)].set)];
@@ -88,10 +92,6 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
 
 std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Way way) const {
   if (over.reached.empty()) return {};
-  std::uint64_t crossing = 0;
-  for (const Field& field : exchange_.fields) {
-    crossing |= std::uint64_t{1} << (arrays_.arrays()[static_cast<std::size_t>(field.array)].set % 64);
-  }
   // A reduction has whole blocks, other steps whole packs. A few long ranges: each is a launch.
   const index_t unit = way == Way::reduce ? Runs::block : DistributedSet::group;
   const index_t least = over.local->owned() / 32;
@@ -102,7 +102,7 @@ std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Wa
     for (index_t g = at; g < end; g += DistributedSet::group) {
       reached |= over.reached[static_cast<std::size_t>(g / DistributedSet::group)];
     }
-    if ((reached & crossing) != 0) continue;
+    if ((reached & crossing_) != 0) continue;
     if (!inner.empty() && inner.back().end == at) {
       inner.back().end = end;
     } else {
@@ -116,13 +116,16 @@ std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Wa
 void HaloSteps::end() {
   const Step* const step = std::exchange(current_, nullptr);
   if (step == nullptr || step->set < 0) return;
-  if (step->is_gathered) return gather_written(*step);
+  if (step->is_gathered) {
+    const std::vector<Field> written(step->written.begin(), step->written.end());
+    return exchange_->gather(written, *arrays_.sets()[static_cast<std::size_t>(step->set)].computed);
+  }
   if (arrays_.sets()[static_cast<std::size_t>(step->set)].kind != DistributedSet::Kind::owned) return;
   for (const Field& field : step->written) {
     // A step may write some objects of the field, or some of its elements: of ghosts the others stay as they were.
     if (on_ghosts_ && is_fresh(field)) continue;
     arrays_.arrays()[static_cast<std::size_t>(field.array)].is_fresh[static_cast<std::size_t>(field.field)] = 0;
-    if (poisons_) poison(field);
+    if (poisons_) exchange_->poison(field);
   }
 }
 
@@ -150,110 +153,14 @@ void HaloSteps::end_part(const PartOfReduction& part) {
   end();
 }
 
-void HaloSteps::poison(const Field& field) {
-  const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
-  const LocalSet& objects = *set_of_array(field.array).local;
-  const UntypedArray& memory = array.memory;
-  const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-  const int size = element_bytes(info.type);
-  const std::uint64_t bits = bits_of_no_value(info.type);
-  for (std::size_t g = 0; g < objects.ghosts().size(); ++g) {
-    for (int k = 0; k < info.count && size > 0; ++k) {
-      std::memcpy(memory.address(objects.ghost(g), info.offset + k * size, size), &bits,
-                  static_cast<std::size_t>(size));
-    }
-  }
-}
-
-namespace {
-
-/// Calls use(address, bytes) for the elements of a field of an object.
-template <class Use>
-void each_element(const UntypedArray& memory, const FieldInfo& info, index_t object, const Use& use) {
-  const int size = element_bytes(info.type);
-  for (int k = 0; k < info.count && size > 0; ++k) {
-    use(memory.address(object, info.offset + k * size, size), static_cast<std::size_t>(size));
-  }
-}
-
-}  // namespace
-
-void HaloSteps::gather_written(const Step& step) {
-  const Runs& runs = *arrays_.sets()[static_cast<std::size_t>(step.set)].computed;
-  const int mine = arrays_.ranks().rank();
-  const auto each = [&](int rank, const auto& use) {
-    for (const Field& field : step.written) {
-      const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
-      const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-      for (index_t i = runs.begin(rank); i < runs.end(rank); ++i) each_element(memory, info, i, use);
-    }
-  };
-  index_t bytes_of_object = 0;
-  for (const Field& field : step.written) {
-    const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
-    const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-    bytes_of_object += info.count * element_bytes(info.type);
-  }
-  std::vector<index_t> sizes;
-  for (int r = 0; r < runs.ranks(); ++r) sizes.push_back((runs.end(r) - runs.begin(r)) * bytes_of_object);
-  std::vector<std::byte> given, all(static_cast<std::size_t>(runs.size() * bytes_of_object));
-  each(mine, [&](const std::byte* at, std::size_t size) { given.insert(given.end(), at, at + size); });
-  arrays_.transport().gather(given, sizes, all);
-  const std::byte* from = all.data();
-  for (int r = 0; r < runs.ranks(); ++r) {
-    each(r, [&](std::byte* at, std::size_t size) {
-      std::memcpy(at, from, size);
-      from += size;
-    });
-  }
-}
-
 void HaloSteps::begin_exchange(const std::vector<Field>& fields) {
-  const auto ranks = static_cast<std::size_t>(arrays_.ranks().count());
-  exchange_ = {fields, std::vector<std::vector<std::byte>>(ranks), std::vector<std::vector<std::byte>>(ranks)};
-  std::vector<std::size_t> to_come(ranks, 0);
-  // All fields of a step go in one message to each rank: field by field, object by object, element by element.
+  crossing_ = 0;
   for (const Field& field : fields) {
     DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
-    const UntypedArray& memory = array.memory;
-    const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-    for (const HaloPlan::Peer& peer : set_of_array(field.array).plan.peers) {
-      const auto r = static_cast<std::size_t>(peer.rank);
-      std::vector<std::byte>& sent = exchange_.sent[r];
-      for (const index_t object : peer.sent) {
-        each_element(memory, info, object,
-                     [&](const std::byte* at, std::size_t size) { sent.insert(sent.end(), at, at + size); });
-      }
-      to_come[r] += static_cast<std::size_t>((peer.last - peer.first) * info.count * element_bytes(info.type));
-    }
     array.is_fresh[static_cast<std::size_t>(field.field)] = 1;
+    crossing_ |= std::uint64_t{1} << (array.set % 64);
   }
-  std::vector<Message> messages;
-  for (std::size_t r = 0; r < ranks; ++r) {
-    exchange_.received[r].resize(to_come[r]);
-    if (exchange_.sent[r].empty() && to_come[r] == 0) continue;
-    messages.push_back({static_cast<int>(r), exchange_.sent[r], exchange_.received[r]});
-  }
-  arrays_.transport().begin(messages);
-}
-
-void HaloSteps::arrive() {
-  arrays_.transport().end();
-  std::vector<std::size_t> taken(exchange_.received.size(), 0);
-  for (const Field& field : exchange_.fields) {
-    const UntypedArray& memory = arrays_.arrays()[static_cast<std::size_t>(field.array)].memory;
-    const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-    for (const HaloPlan::Peer& peer : set_of_array(field.array).plan.peers) {
-      const auto r = static_cast<std::size_t>(peer.rank);
-      for (index_t object = peer.first; object < peer.last; ++object) {
-        each_element(memory, info, object, [&](std::byte* at, std::size_t size) {
-          std::memcpy(at, exchange_.received[r].data() + taken[r], size);
-          taken[r] += size;
-        });
-      }
-    }
-  }
-  exchange_ = {};
+  exchange_->begin(fields);
 }
 
 void HaloSteps::require_replicated(std::span<const KernelView> views, const std::string& of) const {

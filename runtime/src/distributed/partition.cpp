@@ -1,4 +1,5 @@
 // What arrays of several ranks are made of; cut.cpp decides what each rank has.
+#include <physgen/distributed/host_image.h>
 #include <physgen/distributed/partition.h>
 
 #include <algorithm>
@@ -165,7 +166,8 @@ void Partition::connect_field(const void* array, const std::string& field, std::
   const auto store = [this, number, to, field, of, named] {
     const DistributedArray& connected = arrays_[static_cast<std::size_t>(number)];
     const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
-    const UntypedArray memory = connected.untyped();
+    const detail::HostImage image(connected.untyped());
+    const UntypedArray& memory = image.array();
     const int elements = detail::find_index_field(memory, field).count;
     std::vector<index_t> numbers;
     for (index_t i = objects.first(); i < objects.last(); ++i) {
@@ -179,6 +181,7 @@ void Partition::connect_field(const void* array, const std::string& field, std::
         *index_at(memory, field, i, k) = local_number(to, numbers[static_cast<std::size_t>(k)], of);
       }
     }
+    image.store();
   };
   connections_.push_back({source.set, to, std::move(named), store});
 }

@@ -5,6 +5,22 @@
 
 namespace physgen {
 
+Traffic& Traffic::operator+=(const Traffic& other) {
+  exchanges += other.exchanges;
+  messages += other.messages;
+  bytes += other.bytes;
+  gathers += other.gathers;
+  gathered_bytes += other.gathered_bytes;
+  overlapped += other.overlapped;
+  return *this;
+}
+
+Traffic Traffic::operator-(const Traffic& other) const {
+  return {
+      exchanges - other.exchanges,           messages - other.messages,    bytes - other.bytes, gathers - other.gathers,
+      gathered_bytes - other.gathered_bytes, overlapped - other.overlapped};
+}
+
 void Transport::begin(std::span<const Message> messages) {
   ++traffic_.exchanges;
   for (const Message& message : messages) {

@@ -1,4 +1,4 @@
-// The arrays of a program over a graph: of all objects, or on several ranks.
+// The arrays of a program over a graph: of all objects, or on several ranks; on the host, or on a device.
 #pragma once
 
 #include <physgen/distributed/arrays.h>
@@ -10,29 +10,40 @@
 namespace graphs {
 
 /// Arrays of a program, of all objects or of a rank's.
-template <class Real, class X, class F, class M, class S, class Stored>
+template <class Space, class Real, class X, class F, class M, class S, class Stored>
 struct Body {
-  Array<elasticity::NodePositionObject, Real, Host, X> positions;
-  Array<elasticity::NodeForceObject, Real, Host, F> forces;
-  Array<elasticity::NodeForceObject, Real, Host, S, Stored> springs;
-  Array<elasticity::NodeDisplacementObject, Real, Host, M> means;
-  Array<elasticity::NodeForceDifferentialObject, Real, Host, S> shares;
-  Array<elasticity::EdgeObject, Real, Host, M> edges;
-  Array<elasticity::TetObject, Real, Host, F> quads;
-  elasticity::IncidenceRangeArray<float> ranges, touched, member_ranges;
-  elasticity::IncidenceArray<float> ends, touches, members;
+  using OnHost = Body<Host, Real, X, F, M, S, Stored>;
+  Array<elasticity::NodePositionObject, Real, Space, X> positions;
+  Array<elasticity::NodeForceObject, Real, Space, F> forces;
+  Array<elasticity::NodeForceObject, Real, Space, S, Stored> springs;
+  Array<elasticity::NodeDisplacementObject, Real, Space, M> means;
+  Array<elasticity::NodeForceDifferentialObject, Real, Space, S> shares;
+  Array<elasticity::EdgeObject, Real, Space, M> edges;
+  Array<elasticity::TetObject, Real, Space, F> quads;
+  elasticity::IncidenceRangeArray<float, Space> ranges, touched, member_ranges;
+  elasticity::IncidenceArray<float, Space> ends, touches, members;
   // Of groups; and of nodes.
-  Array<elasticity::NodeForceObject, Real, Host, S, Stored> totals;
-  Array<elasticity::NodeDisplacementObject, Real, Host, F> calms;
-  Array<elasticity::EdgeObject, Real, Host, X> links, homes;
-  elasticity::NodeForceArray<double> state{1};
+  Array<elasticity::NodeForceObject, Real, Space, S, Stored> totals;
+  Array<elasticity::NodeDisplacementObject, Real, Space, F> calms;
+  Array<elasticity::EdgeObject, Real, Space, X> links, homes;
+  elasticity::NodeForceArray<double, Space> state;
 };
-struct HalfForces : elasticity::NodeForceFormats<Host> {
+template <class Space>
+struct HalfForces : elasticity::NodeForceFormats<Space> {
   using f = format::Half<>;
 };
-using InFloat = Body<float, AosPadded, Soa, Aosoa<16>, Aos, elasticity::NodeForceFormats<Host>>;
-using InDouble = Body<double, Soa, Aosoa<8>, Aos, AosPadded, elasticity::NodeForceFormats<Host>>;
-using InHalf = Body<float, Aosoa<16>, AosPadded, Soa, Soa, HalfForces>;
+template <class Space>
+using InFloat = Body<Space, float, AosPadded, Soa, Aosoa<16>, Aos, elasticity::NodeForceFormats<Space>>;
+template <class Space>
+using InDouble = Body<Space, double, Soa, Aosoa<8>, Aos, AosPadded, elasticity::NodeForceFormats<Space>>;
+template <class Space>
+using InHalf = Body<Space, float, Aosoa<16>, AosPadded, Soa, Soa, HalfForces<Space>>;
+
+/// The array as the host reaches it.
+template <class Array>
+decltype(auto) on_host(const Array& array) {
+  return detail::in_form_of<detail::OnHost<Array>>(array);
+}
 
 template <class Body>
 typename decltype(Body::positions)::Value position(index_t node) {
@@ -58,6 +69,7 @@ void fill(Body& body, const Graph& graph) {
   body.forces.resize(graph.nodes);
   body.means.resize(graph.nodes);
   body.homes.resize(graph.nodes);
+  body.state.resize(1);
   for (const auto groups : {static_cast<index_t>(graph.links.size())}) {
     body.totals.resize(groups);
     body.calms.resize(groups);
@@ -83,6 +95,28 @@ void fill(Body& body, const Graph& graph) {
       body.quads[t].nodes()[k] = static_cast<std::int32_t>(graph.quads[Graph::at(t)][Graph::at(k)]);
 }
 
+/// The same in any memory.
+template <class Body>
+void fill_anywhere(Body& body, const Graph& graph) {
+  if constexpr (std::is_same_v<Body, typename Body::OnHost>) {
+    fill(body, graph);
+  } else {
+    typename Body::OnHost here;
+    fill(here, graph);
+    const auto take = [](auto& array, const auto& from) {
+      array.resize(from.size());
+      copy(array, from);
+    };
+    take(body.positions, here.positions), take(body.forces, here.forces), take(body.springs, here.springs);
+    take(body.means, here.means), take(body.shares, here.shares), take(body.edges, here.edges);
+    take(body.quads, here.quads), take(body.ranges, here.ranges), take(body.touched, here.touched);
+    take(body.member_ranges, here.member_ranges), take(body.ends, here.ends), take(body.touches, here.touches);
+    take(body.members, here.members), take(body.totals, here.totals), take(body.calms, here.calms);
+    take(body.links, here.links), take(body.homes, here.homes), take(body.state, here.state);
+    synchronize();
+  }
+}
+
 template <class Body>
 void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows) {
   arrays.add_set("node", graph.nodes);
@@ -93,6 +127,8 @@ void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool 
   arrays.add_set("mean", graph.nodes);
   arrays.add_set("spring", static_cast<index_t>(graph.edges.size()));
   arrays.same_set("mean", "node");
+  arrays.add_replicated_set("one", 1);
+  arrays.add("b.state", "one", body.state);
   arrays.add("b.positions", "node", body.positions);
   arrays.add("b.forces", "node", body.forces);
   arrays.add("b.means", "mean", body.means);

@@ -13,7 +13,7 @@ struct Clear {
   using Scalar = typename ForceView::Precision;
   PositionView positions;
   ForceView forces;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
     if (positions[i].x()[0] < 0) forces[i].f() = Vector(Vector::Zero());
   }
@@ -26,7 +26,7 @@ struct Degree {
   using Scalar = typename PositionView::Precision;
   Rows ends;
   PositionView positions;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     const Scalar degree = static_cast<Scalar>(ends.size(i));
     positions[i].x() = (positions[i].x().get() * degree * Scalar(0.0625F)).eval();
   }
@@ -41,7 +41,7 @@ struct Quarter {
   ForceView forces;
   PullView pulls;
   template <class I>
-  void operator()(const I& i) const {
+  PHYSGEN_FUNCTION void operator()(const I& i) const {
     pulls[i].f() = (forces[i].f().get() * Scalar(0.25F)).eval();
   }
 };
@@ -55,7 +55,7 @@ struct Push {
   PullView pulls;
   PositionView positions;
   template <class I>
-  void operator()(const I& i) const {
+  PHYSGEN_FUNCTION void operator()(const I& i) const {
     positions[i].x() = (positions[i].x().get() * Scalar(0.5F) + pulls[i].f().get()).eval();
   }
 };
@@ -72,7 +72,7 @@ struct Collect {
   LinkView links;
   CalmView calms;
   TotalView totals;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Eigen::Matrix<Scalar, 3, 1>;
     const Vector calm = calms[links[i].nodes()[0]].dx();
     Vector sum = totals[i].f().get() * Scalar(0.5F) + calm * Scalar(0.25F);
@@ -98,7 +98,7 @@ struct Spread {
   HomeView homes;
   TotalView totals;
   MeanView means;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     const auto names = homes[i].nodes().get();
     means[i].dx() =
         (means[i].dx().get() * 0.5F + totals[names[0]].f().get() * 0.25F + totals[names[1]].f().get() * 0.125F).eval();
@@ -114,7 +114,7 @@ struct Settle {
   LinkView links;
   TotalView totals;
   CalmView calms;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     const auto names = links[i].nodes().get();
     calms[i].dx() = (calms[i].dx().get() * 0.5F + totals[names[1]].f().get() * 0.25F).eval();
   }
@@ -128,11 +128,34 @@ struct Members {
   using Scalar = typename TotalView::Precision;
   Rows members;
   TotalView totals;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     totals[i].f() = (totals[i].f().get() * (static_cast<Scalar>(members.size(i)) * Scalar(0.125F))).eval();
   }
 };
 template <class... V>
 Members(V...) -> Members<V...>;
+
+/// Does what SumPulls would, with a loop of its own: for what is here.
+template <class Space, class Kernel>
+struct SumAtOnce {
+  Kernel kernel;
+  index_t nodes;
+  void operator()(Stream stream) const {
+    if constexpr (std::is_same_v<Space, Host>) {
+      for (index_t i = nodes - 1; i >= 0; --i) kernel(i);
+    } else {
+      parallel_for(Space{}, nodes, kernel, stream);
+    }
+  }
+};
+template <class On, class Kernel>
+void sum_at_once(On& on, index_t nodes, const Kernel& kernel) {
+  const SumAtOnce<typename On::Space, Kernel> work{kernel, nodes};
+  if constexpr (requires { on.perform(work, kernel, nodes); }) {
+    on.perform(work, kernel, nodes);
+  } else {
+    on.perform(work);
+  }
+}
 
 }  // namespace graphs

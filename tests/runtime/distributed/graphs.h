@@ -3,7 +3,6 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <physgen/executor.h>
 #include <physgen/kernel.h>
 
 #include <array>
@@ -21,7 +20,7 @@ struct Pull {
   EdgeView edges;
   PositionView positions;
   SpringView springs;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     const auto nodes = edges[i].nodes().get();
     springs[i].f() = (positions[nodes[1]].x().get() - positions[nodes[0]].x().get()).eval();
   }
@@ -35,7 +34,7 @@ struct SumPulls {
   Rows ends;
   SpringView springs;
   ForceView forces;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
     Vector sum = Vector::Zero();
     ends.for_each(i, [&](const auto& end, bool) {
@@ -59,7 +58,7 @@ struct Smooth {
   EdgeView edges;
   PositionView positions;
   MeanView means;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Eigen::Matrix<typename MeanView::Precision, 3, 1>;
     Vector sum = positions[i].x();
     ends.for_each(i, [&](const auto& end, bool) {
@@ -79,7 +78,7 @@ struct Move {
   MeanView means;
   PositionView positions;
   float step;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     positions[i].x() =
         (positions[i].x().get() * 0.5F + means[i].dx().get() * 0.25F + forces[i].f().get() * step).eval();
   }
@@ -94,7 +93,7 @@ struct Share {
   QuadView quads;
   PositionView positions;
   ShareView shares;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     const auto nodes = quads[i].nodes().get();
     auto sum = (positions[nodes[0]].x().get() + positions[nodes[1]].x().get()).eval();
     sum = sum + positions[nodes[2]].x().get() + positions[nodes[3]].x().get();
@@ -110,7 +109,7 @@ struct AddShares {
   Rows touches;
   ShareView shares;
   ForceView forces;
-  void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
     Vector sum = forces[i].f();
     touches.for_each(i, [&](const auto& touch, bool) { sum += shares[touch.element()].df().get() * 0.0625F; });
@@ -126,7 +125,9 @@ struct Mix {
   using Scalar = typename MeanView::Precision;
   ForceView forces;
   MeanView means;
-  void operator()(index_t i) const { means[i].dx() = (means[i].dx().get() * 0.5F + forces[i].f().get() * 0.5F).eval(); }
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    means[i].dx() = (means[i].dx().get() * 0.5F + forces[i].f().get() * 0.5F).eval();
+  }
 };
 template <class... V>
 Mix(V...) -> Mix<V...>;
@@ -136,7 +137,9 @@ struct Drift {
   using Scalar = typename PositionView::Precision;
   MeanView means;
   PositionView positions;
-  void operator()(index_t i) const { positions[i].x() = (positions[i].x().get() + means[i].dx().get() * 0.5F).eval(); }
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    positions[i].x() = (positions[i].x().get() + means[i].dx().get() * 0.5F).eval();
+  }
 };
 template <class... V>
 Drift(V...) -> Drift<V...>;
@@ -146,7 +149,7 @@ struct Lengths {
   using Scalar = typename PositionView::Precision;
   PositionView positions;
   EdgeView edges;
-  double operator()(index_t i) const {
+  PHYSGEN_FUNCTION double operator()(index_t i) const {
     const auto nodes = edges[i].nodes().get();
     return double((positions[nodes[1]].x().get() - positions[nodes[0]].x().get()).squaredNorm());
   }
@@ -162,7 +165,7 @@ struct PullPart {
   EdgeView edges;
   PositionView positions;
   SpringView springs;
-  double operator()(SingleObject auto i) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto i) const {
     const auto own = object_of_part(first, i);
     const auto nodes = edges[own].nodes().get();
     const auto d = (positions[nodes[0]].x().get() - positions[nodes[1]].x().get()).eval();
@@ -173,31 +176,12 @@ struct PullPart {
 template <class... V>
 PullPart(index_t, V...) -> PullPart<V...>;
 
-/// Does what SumPulls would, with a loop of its own: for what is here.
-template <class Kernel>
-struct SumAtOnce {
-  Kernel kernel;
-  index_t nodes;
-  void operator()(Stream /*stream*/) const {
-    for (index_t i = nodes - 1; i >= 0; --i) kernel(i);
-  }
-};
-template <class On, class Kernel>
-void sum_at_once(On& on, index_t nodes, const Kernel& kernel) {
-  const SumAtOnce<Kernel> work{kernel, nodes};
-  if constexpr (requires { on.perform(work, kernel, nodes); }) {
-    on.perform(work, kernel, nodes);
-  } else {
-    on.perform(work);
-  }
-}
-
 template <class StateView>
 struct Store {
   StateView state;
   int at;
   template <class Value>
-  void operator()(const Value& value) const {
+  PHYSGEN_FUNCTION void operator()(const Value& value) const {
     if constexpr (requires { value.index; })
       state[index_t{0}].f()[at] = double(value.index);
     else

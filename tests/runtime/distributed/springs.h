@@ -62,10 +62,12 @@ struct Move {
   ForceView forces;
   PositionView positions;
   Scalar step;
-  index_t refused;  ///< the local number of a node at which it throws, or -1
+  index_t refused;  ///< the local number of a node at which it throws on the host, or -1
 
   PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
+#ifndef __CUDA_ARCH__
     if (object_number(node) == refused) throw Error("node " + std::to_string(refused) + " may not move");
+#endif
     positions[node].x() = positions[node].x().get() + forces[node].f().get() * step;
   }
 };

@@ -13,6 +13,7 @@
 
 #include <physgen/arrays/array.h>
 #include <physgen/detail/array_sets.h>
+#include <physgen/distributed/on_host.h>
 #include <physgen/distributed/partition.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ class DistributedArrays : public Partition {
   template <class Array>
   void add(const std::string& name, std::string_view set, Array& array) {
     add_array({name, number_of(set), &array, [&array] { return array.untyped(); },
-               [&array](index_t size) { array = Array(size); }});
+               [&array, this](index_t size) { array = detail::make_array<Array>(size, ranks(), transport()); }});
   }
   /// A field of indices names objects of a set.
   /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called
@@ -83,8 +84,10 @@ class DistributedArrays : public Partition {
     requires std::invocable<const Value&, index_t>
   void fill(Array& array, const Value& value) {
     const LocalSet& objects = objects_of(array);
-    const auto view = array.view();
-    for (index_t i = objects.first(); i < objects.last(); ++i) view.put(i, value(objects.global(i)));
+    detail::edit_on_host(array, [&](auto& here) {
+      const auto view = here.view();
+      for (index_t i = objects.first(); i < objects.last(); ++i) view.put(i, value(objects.global(i)));
+    });
     set_fresh(number_of_this(array), true);
   }
   /// The same from an array of all objects, in any layout, precision and formats.
@@ -102,10 +105,10 @@ class DistributedArrays : public Partition {
   /// @param most bytes that rank 0 holds at once, or one block
   template <class Array, class Body>
   void each_block(const Array& array, const Body& body, index_t most = index_t{64} << 20);
-  /// On rank 0 an array of all objects, on other ranks, which call this too, one of none.
+  /// On rank 0 an array of all objects, on other ranks, which call this too, one of none; in the host's memory.
   template <class Array>
-  [[nodiscard]] Array whole(const Array& array) {
-    Array all(ranks().is_first() ? objects_of(array).runs().size() : 0);
+  [[nodiscard]] detail::OnHost<Array> whole(const Array& array) {
+    detail::OnHost<Array> all(ranks().is_first() ? objects_of(array).runs().size() : 0);
     each_block(array,
                [&](index_t first, const auto& view) { detail::pick(all.untyped(), first, view.untyped(), nullptr); });
     return all;
@@ -133,9 +136,10 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
   }
   std::vector<index_t> numbers;
   for (index_t i = objects.first(); i < objects.last(); ++i) numbers.push_back(objects.global(i));
-  const auto& same = detail::in_form_of<Array>(whole);
+  const auto& same = detail::in_form_of<detail::OnHost<Array>>(whole);
   const detail::Numbers order(numbers, {});
-  detail::pick(array.untyped(), objects.first(), same.untyped(), &order);
+  detail::edit_on_host(array,
+                       [&](auto& here) { detail::pick(here.untyped(), objects.first(), same.untyped(), &order); });
   set_fresh(number_of_this(array), true);
 }
 
@@ -164,7 +168,8 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
     const DistributedArray& of_ranges = arrays()[static_cast<std::size_t>(rows)];
     const LocalSet& objects = *sets()[static_cast<std::size_t>(of_ranges.set)].local;
     std::vector<typename Entries::Value> all;
-    const UntypedArray places = of_ranges.untyped();
+    const detail::HostImage image(of_ranges.untyped());
+    const UntypedArray& places = image.array();
     for (index_t i = 0; i < objects.size(); ++i) {
       *index_at(places, "begin", i, 0) = static_cast<std::int32_t>(all.size());
       if (std::ranges::all_of(named_sets, [&](int set) { return is_complete(of_ranges.set, i, set); })) {
@@ -172,17 +177,21 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
       }
       *index_at(places, "end", i, 0) = static_cast<std::int32_t>(all.size());
     }
+    image.store();
     // One at least, as in a set.
-    entries = Entries(std::max(static_cast<index_t>(all.size()), index_t{ranks().count() > 1 ? 1 : 0}));
-    const auto view = entries.view();
-    for (index_t k = 0; k < static_cast<index_t>(all.size()); ++k) {
-      const auto& entry = all[static_cast<std::size_t>(k)];
-      const int set = named_sets[static_cast<std::size_t>(which(entry))];
-      view.put(k, entry);
-      std::int32_t* const number = index_at(entries.untyped(), field, k, 0);
-      const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
-      *number = (local_number(set, *number >> shift, name + "." + field) << shift) | below;
-    }
+    const auto size = std::max(static_cast<index_t>(all.size()), index_t{ranks().count() > 1 ? 1 : 0});
+    entries = detail::make_array<Entries>(size, ranks(), transport());
+    detail::edit_on_host(entries, [&](auto& here) {
+      const auto view = here.view();
+      for (index_t k = 0; k < static_cast<index_t>(all.size()); ++k) {
+        const auto& entry = all[static_cast<std::size_t>(k)];
+        const int set = named_sets[static_cast<std::size_t>(which(entry))];
+        view.put(k, entry);
+        std::int32_t* const number = index_at(here.untyped(), field, k, 0);
+        const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
+        *number = (local_number(set, *number >> shift, name + "." + field) << shift) | below;
+      }
+    });
   };
   connect_entries(&ranges, name, field, std::move(named), store);
 }
@@ -191,19 +200,22 @@ template <class Array, class Body>
 void DistributedArrays::each_block(const Array& array, const Body& body, index_t most) {
   const LocalSet& objects = objects_of(array);
   const index_t all = objects.runs().size();
+  detail::wait_for_device(Array::Space::kind);
+  using There = detail::OnHost<Array>;
+  const There& here = detail::in_form_of<There>(array);
   const index_t step = std::max(most / std::max(Array::record_bytes, 1) / Runs::block, index_t{1}) * Runs::block;
   for (index_t first = 0; first < all; first += step) {
     const index_t last = std::min(first + step, all);
-    Array window(ranks().is_first() ? last - first : 0);
+    There window(ranks().is_first() ? last - first : 0);
     for (int owner = 0; owner < objects.runs().ranks(); ++owner) {  // one of what all ranks have
       const index_t begin = std::max(first, objects.runs().begin(owner)),
                     end = std::min(last, objects.runs().end(owner));
       if (begin >= end || (owner != ranks().rank() && !ranks().is_first())) continue;
-      Array piece(end - begin);
+      There piece(end - begin);
       if (owner == ranks().rank()) {
         const std::vector<index_t> numbers = local_numbers(objects, begin, end);
         const detail::Numbers order(numbers, {});
-        detail::pick(piece.untyped(), 0, array.untyped(), &order);
+        detail::pick(piece.untyped(), 0, here.untyped(), &order);
       }
       const UntypedArray memory = piece.untyped();
       to_first(owner, {memory.base, static_cast<std::size_t>(memory.bytes())});

@@ -11,7 +11,11 @@
 //   body.each_block(body.positions, [&](index_t first, auto view) { write(first, view); });
 #pragma once
 
+#ifdef __CUDACC__
+#include <physgen/distributed/cuda/executor.h>
+#else
 #include <physgen/distributed/executor.h>
+#endif
 #include <physgen/distributed/scene_sets.h>
 
 #include <memory>
@@ -21,9 +25,9 @@
 
 namespace physgen {
 
-/// The memory in which ranks have the arrays of a scene: the host's, since the executor of several ranks runs there.
+/// The memory in which ranks have the arrays of a scene: where an executor of several ranks runs.
 template <class Space>
-concept SpaceOfRanks = std::is_same_v<Space, Host>;
+concept SpaceOfRanks = std::is_same_v<Space, Host> || std::is_same_v<Space, Cuda>;
 
 /// Arrays are given as members of the struct that derives from this; by them it knows sets, fields and names.
 class DistributedScene {
@@ -111,9 +115,9 @@ class DistributedScene {
   void each_block(const Array& array, const Body& body, index_t most = index_t{64} << 20) {
     scene_.each_block(array, body, most);
   }
-  /// On rank 0 an array of all objects, on other ranks, which call this too, one of none.
+  /// On rank 0 an array of all objects, on other ranks, which call this too, one of none; in the host's memory.
   template <class Array>
-  [[nodiscard]] Array whole(const Array& array) {
+  [[nodiscard]] detail::OnHost<Array> whole(const Array& array) {
     return scene_.whole(array);
   }
   /// Which objects of an array this rank has, and their local numbers.

@@ -5,8 +5,8 @@
 
 #include <physgen/distributed/arrays.h>
 #include <physgen/distributed/block_values.h>
-#include <physgen/distributed/halo_steps.h>
-#include <physgen/distributed/kernel_members.h>
+#include <physgen/distributed/options.h>
+#include <physgen/distributed/step_kernels.h>
 #include <physgen/executor.h>
 
 #include <algorithm>
@@ -16,19 +16,11 @@
 
 namespace physgen {
 
-/// How an executor of several ranks is made.
-struct DistributedOptions {
-  /// Fields of ghosts become signalling NaN when they turn stale: a step that reads them nevertheless is seen.
-  bool poisons_stale_ghosts = checked_build;
-};
-
-/// @tparam On HostExecutor, which runs the steps of each rank
-///
 /// With one rank every call is On's. With several, kernels show their views (kernel_members.h), and an exception of a
 /// kernel ends all ranks with its message. While fields cross, a step is called for the objects that need none of them.
 template <class On>
   requires(std::is_same_v<typename On::Space, Host>)
-class DistributedExecutor {
+class DistributedExecutor<On> {
  public:
   using Space = typename On::Space;
   using Loop = typename On::Loop;
@@ -55,7 +47,7 @@ class DistributedExecutor {
   void reduce(index_t n, const Kernel& kernel, Fold fold, const Then& then) {
     if (ranks_.count() == 1) return on_.reduce(n, kernel, fold, then);
     ranks_.guard([&] {
-      require_replicated(then);
+      detail::require_replicated(steps_, then);
       const HaloSteps::Objects objects = begin(n, kernel, HaloSteps::Way::reduce);
       if (objects.set == nullptr) {
         on_.reduce(n, kernel, fold, then);
@@ -76,9 +68,9 @@ class DistributedExecutor {
   void reduce_part(const PartOfReduction& part, const Kernel& kernel, Fold fold, const Then& then) {
     if (ranks_.count() == 1) return on_.reduce_part(part, kernel, fold, then);
     ranks_.guard([&] {
-      require_replicated(then);
+      detail::require_replicated(steps_, then);
       part.check();
-      const std::vector<HaloSteps::Kernel> kernels = kernels_of(kernel);
+      const std::vector<HaloSteps::Kernel> kernels = detail::kernels_of(kernel);
       const HaloSteps::Objects objects = steps_.begin_part(kernels, part);
       if (objects.set == nullptr) {
         on_.reduce_part(part, kernel, fold, then);
@@ -116,7 +108,7 @@ class DistributedExecutor {
   /// @param done a function object of what all ranks have
   template <class Body, class Done>
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {
-    if (ranks_.count() > 1) ranks_.guard([&] { require_replicated(done); });
+    if (ranks_.count() > 1) ranks_.guard([&] { detail::require_replicated(steps_, done); });
     on_.repeat(loop, most, body, done);
   }
 
@@ -126,11 +118,7 @@ class DistributedExecutor {
   template <class Array>
   [[nodiscard]] typename Array::Value value(const Array& array) {
     if (ranks_.count() > 1) {
-      ranks_.guard([&] {
-        const UntypedArray memory = array.untyped();
-        const KernelView view{memory.base, memory.size, false, memory.object};
-        steps_.require_replicated(std::span(&view, 1), "value()");
-      });
+      ranks_.guard([&] { detail::require_replicated_value(steps_, array); });
     }
     return on_.value(array);
   }
@@ -147,43 +135,13 @@ class DistributedExecutor {
 
  private:
   template <class Kernel>
-  [[nodiscard]] static std::vector<HaloSteps::Kernel> kernels_of(const Kernel& kernel) {
-    std::vector<HaloSteps::Kernel> kernels;
-    for_each_kernel(kernel, [&](const auto& one) {
-      HaloSteps::Kernel& added = kernels.emplace_back();
-      added.name = &name_of_kernel<std::remove_cvref_t<decltype(one)>>();
-      for_each_view(one, [&](const KernelView& view) { added.views.push_back(view); });
-    });
-    return kernels;
-  }
-  template <class Kernel>
   [[nodiscard]] HaloSteps::Objects begin(index_t n, const Kernel& kernel, HaloSteps::Way way) {
-    return steps_.begin(kernels_of(kernel), n, way);
+    return steps_.begin(detail::kernels_of(kernel), n, way);
   }
 
-  template <class Then>
-  void require_replicated(const Then& then) const {
-    if constexpr (std::is_aggregate_v<Then>) {
-      std::vector<KernelView> views;
-      for_each_view(then, [&](const KernelView& view) { views.push_back(view); });
-      steps_.require_replicated(views, name_of_kernel<Then>());
-    }
-  }
-
-  /// Calls call(begin, end) for the objects of a step: for those first that need nothing of what still crosses.
   template <class Call>
   void for_ranges(const HaloSteps::Objects& objects, const Call& call) {
-    for (const HaloSteps::Range& inner : objects.inner) call(inner.begin, inner.end);
-    if (!objects.inner.empty()) {
-      arrays_.transport().count_overlap();
-      steps_.arrive();
-    }
-    index_t at = objects.begin;
-    for (const HaloSteps::Range& inner : objects.inner) {
-      if (at < inner.begin) call(at, inner.begin);
-      at = inner.end;
-    }
-    if (at < objects.end) call(at, objects.end);
+    detail::for_ranges(steps_, objects, arrays_.transport(), call);
   }
 
   /// Calls a kernel of a reduction for the ghosts of a range.

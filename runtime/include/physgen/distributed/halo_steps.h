@@ -2,11 +2,14 @@
 // for, which fields of ghosts are fetched before, and which are stale behind it.
 #pragma once
 
+#include <physgen/distributed/halo_exchange.h>
 #include <physgen/distributed/kernel_view.h>
 #include <physgen/distributed/partition.h>
 #include <physgen/launch/reduce.h>
 
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -47,7 +50,8 @@ class HaloSteps {
 
   /// @param poisons whether fields of ghosts become signalling NaN (index fields: the lowest number) when they turn
   /// stale, so that a step that reads them, which nothing here knows of, does not go unseen
-  HaloSteps(Partition& arrays, bool poisons) : arrays_(arrays), poisons_(poisons) {}
+  /// @param exchange by which fields cross; none: through the host's memory
+  HaloSteps(Partition& arrays, bool poisons, std::unique_ptr<HaloExchange> exchange = nullptr);
 
   /// Fetches what the step needs. One step ends before the next one begins.
   /// @param size with which the program calls the kernel
@@ -56,7 +60,7 @@ class HaloSteps {
   /// have, which reads parts of others, is reduced or done by code that is not split
   [[nodiscard]] Objects begin(std::span<const Kernel> kernels, index_t size, Way way);
   /// Waits for what begin() left crossing.
-  void arrive();
+  void arrive() { exchange_->end(); }
   /// Behind the step that was begun last. Of a set that all ranks have, what each has computed is given to all.
   void end();
   /// The same for a part of a reduction: its objects are those of the whole. Fields cross before the first part alone,
@@ -72,10 +76,7 @@ class HaloSteps {
   [[nodiscard]] const std::set<std::string>& unknown() const { return unknown_; }
 
  private:
-  struct Field {
-    int array, field;
-    auto operator<=>(const Field&) const = default;
-  };
+  using Field = HaloField;
   struct Step {
     int set = -1;              ///< that it runs over
     bool is_gathered = false;  ///< whether ranks compute parts of a set that all have, since it reads parts of others
@@ -111,12 +112,9 @@ class HaloSteps {
   /// @param uses all of the step
   void add_gathered(Step& step, const Use& use, const std::vector<Use>& uses) const;
   [[nodiscard]] bool is_fresh(const Field& field) const;
-  /// Gives all ranks what each has written of the objects that it computes for all.
-  void gather_written(const Step& step);
   void begin_exchange(const std::vector<Field>& fields);
   /// Owned objects of a set that name no ghost of sets of which fields cross.
   [[nodiscard]] std::vector<Range> inner_of(const DistributedSet& over, Way way) const;
-  void poison(const Field& field);
   [[nodiscard]] const DistributedSet& set_of_array(int array) const;
   [[nodiscard]] const std::string& array_name(const Use& use) const;
   [[nodiscard]] std::string name_of(const Field& field) const;
@@ -127,11 +125,8 @@ class HaloSteps {
   const Step* current_ = nullptr;  ///< that was begun and is not ended
   std::string current_name_;
   bool on_ghosts_ = false;
-  /// What crosses, by peer.
-  struct Exchange {
-    std::vector<Field> fields;
-    std::vector<std::vector<std::byte>> sent, received;
-  } exchange_;
+  std::unique_ptr<HaloExchange> exchange_;
+  std::uint64_t crossing_ = 0;  ///< bit s % 64 where fields of set s cross
   /// A reduction of which not all parts are done: `name` of its kernel, or null.
   struct OpenReduction {
     const std::string* name = nullptr;

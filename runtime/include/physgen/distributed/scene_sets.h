@@ -93,8 +93,8 @@ class SceneSets : public DistributedArrays {
   template <class Array>
   void add_stored(const std::string& name, std::string_view set, Array& array,
                   std::vector<std::string_view> written_first) {
-    const auto resize = [&array, fields = std::move(written_first)](index_t size) {
-      array = Array(size);
+    const auto resize = [&array, this, fields = std::move(written_first)](index_t size) {
+      array = make_array<Array>(size, ranks(), transport());
       if constexpr (checked_build) {
         for (const std::string_view field : fields) start_without_values(array.untyped(), {field});
       }
@@ -104,7 +104,8 @@ class SceneSets : public DistributedArrays {
   /// Each rank counts the entries of the rows that it owns.
   [[nodiscard]] index_t entries_of_all(const SceneNames::RowsOfScene& rows) const {
     const LocalSet& objects = set_of(number_of_array(rows.ranges));
-    const UntypedArray& ranges = arrays()[static_cast<std::size_t>(number_of_array(rows.ranges))].memory;
+    const HostImage image(arrays()[static_cast<std::size_t>(number_of_array(rows.ranges))].memory);
+    const UntypedArray& ranges = image.array();
     index_t mine = 0;
     for (index_t i = objects.begin(); i < objects.end(); ++i) {
       mine += *index_at(ranges, "end", i, 0) - *index_at(ranges, "begin", i, 0);

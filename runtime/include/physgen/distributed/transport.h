@@ -27,6 +27,9 @@ struct Traffic {
   index_t gathers = 0;         ///< gather()
   index_t gathered_bytes = 0;  ///< given in them
   index_t overlapped = 0;      ///< exchanges that crossed while a step was called for its inner objects
+
+  Traffic& operator+=(const Traffic& other);
+  [[nodiscard]] Traffic operator-(const Traffic& other) const;
 };
 
 /// All ranks call the same functions in the same order.
@@ -52,6 +55,14 @@ class Transport {
   [[nodiscard]] const Traffic& traffic() const { return traffic_; }
   /// Kernels were called between begin() and end().
   void count_overlap() { ++traffic_.overlapped; }
+  /// As much has crossed, by steps that were recorded (distributed/cuda/recorded_round.h).
+  void count(const Traffic& recorded) { traffic_ += recorded; }
+  /// Whether begin(), end() and gather() only order work in a stream, which can be captured in a graph.
+  [[nodiscard]] virtual bool can_be_captured() const { return false; }
+
+ protected:
+  /// Goes on where another one has counted so far.
+  explicit Transport(const Traffic& so_far) : traffic_(so_far) {}
 
  private:
   virtual void begin_messages(std::span<const Message> messages) = 0;

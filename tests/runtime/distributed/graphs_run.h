@@ -1,0 +1,228 @@
+// graphs: random programs over random graphs, on as many ranks as it is started with, against the same programs over
+// whole arrays in one process. Every object that a rank owns must have the same bits, and every ghost of a field that
+// is fresh.
+//
+//   --seeds A B     seeds A .. B-1
+//   --without ROW   a row of the table is left out
+//   --rows          says how many rows of the table must be missed when they are left out
+//   --most N        nodes of the largest graph (default 5000)
+//   --pinned        on CUDA: through pinned memory and MPI, not by NCCL
+// Exit status: 0 all equal, 3 differences were found.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "graph_body.h"
+#include "graph_steps.h"
+#include "graph_table.h"
+
+namespace graphs {
+
+/// One step of a program. @param chosen which
+template <class On, class Body>
+void step(On& on, Body& b, int chosen) {
+  const index_t nodes = b.positions.size(), edges = b.edges.size();
+  const auto ends = Rows(b.ranges.const_view(), b.ends.const_view(), edges);
+  const auto touches = Rows(b.touched.const_view(), b.touches.const_view(), b.quads.size());
+  const auto members = Rows(b.member_ranges.const_view(), b.members.const_view(), std::max(nodes, edges));
+  const auto x = b.positions.const_view();
+  switch (chosen) {
+    case 0:
+      return on.run(edges, Pull{b.edges.const_view(), x, b.springs.view()});
+    case 1:
+      return on.run(nodes, SumPulls{ends, b.springs.const_view(), b.forces.view()});
+    case 2:
+      return on.run(nodes, Move{b.forces.const_view(), b.means.const_view(), b.positions.view(), 0.0625F});
+    case 3:
+      return on.run(b.quads.size(), Share{b.quads.const_view(), x, b.shares.view()});
+    case 4:
+      return on.run(nodes, AddShares{touches, b.shares.const_view(), b.forces.view()});
+    case 5:
+      return on.run(nodes, Mix{b.forces.const_view(), b.means.view()});
+    case 6:
+      return on.reduce(edges, Lengths{x, b.edges.const_view()}, Sum{}, Store{b.state.view(), 0});
+    case 7:
+      return on.reduce(edges, Lengths{x, b.edges.const_view()}, Argmax{}, Store{b.state.view(), 1});
+    case 8:
+      return on.run(nodes, Drift{b.means.const_view(), b.positions.view()});
+    case 9: {
+      index_t first = 0, count = 0;
+      do {  // one part at least
+        count = std::min(index_t{4096}, edges - first);
+        on.reduce_part({first, count, edges}, PullPart{first, b.edges.const_view(), x, b.springs.view()}, Sum{},
+                       Store{b.state.view(), 2});
+        first += count;
+      } while (first < edges);
+      return;
+    }
+    case 10:
+      return sum_at_once(on, nodes, SumPulls{ends, b.springs.const_view(), b.forces.view()});
+    case 11:
+      return on.reduce(edges, PullPart{0, b.edges.const_view(), x, b.springs.view()}, Sum{}, Store{b.state.view(), 2});
+    case 12:
+      return on.run(nodes, Clear{x, b.forces.view()});
+    case 13:
+      return on.run(nodes, Degree{ends, b.positions.view()});
+    case 14: {
+      const auto pulls = local<elasticity::NodeForceObject, typename decltype(b.forces)::Precision>();
+      return on.run(
+          nodes, lanes<1>(fuse(locals(pulls), Quarter{b.forces.const_view(), pulls}, Push{pulls, b.positions.view()})));
+    }
+    case 15:
+      return on.run(b.totals.size(), Collect{members, x, b.springs.const_view(), b.links.const_view(),
+                                             b.calms.const_view(), b.totals.view()});
+    case 16:
+      return on.run(nodes, Spread{b.homes.const_view(), b.totals.const_view(), b.means.view()});
+    case 17:
+      return on.run(b.calms.size(), Settle{b.links.const_view(), b.totals.const_view(), b.calms.view()});
+    case 18:
+      return on.run(b.totals.size(), Members{members, b.totals.view()});
+    default:
+      return on.run(nodes, Smooth{ends, b.edges.const_view(), x, b.means.view()});
+  }
+}
+
+/// Elements that differ from those of one process, of owned objects and of ghosts of fresh fields.
+template <class Array>
+index_t differences(const DistributedArrays& arrays, const Array& mine, const Array& whole) {
+  const int number = arrays.find(mine.untyped().base);
+  const DistributedArray& array = arrays.arrays()[static_cast<std::size_t>(number)];
+  const LocalSet& set = *arrays.sets()[static_cast<std::size_t>(array.set)].local;
+  const auto &here = on_host(mine), &all = on_host(whole);
+  index_t found = 0;
+  for (index_t i = set.first(); i < set.last(); ++i) {
+    const bool is_owned = set.begin() <= i && i < set.end();
+    if (!is_owned && array.is_fresh[0] == 0) continue;
+    for (int k = 0; k < Array::elements; ++k) found += here.getdata(i, k) == all.getdata(set.global(i), k) ? 0 : 1;
+  }
+  return found;
+}
+
+/// An executor of one process. @param objects of the longest reduction
+template <class On>
+On make_plain(index_t objects) {
+  if constexpr (std::is_same_v<typename On::Space, Host>) {
+    return On();
+  } else {
+    return On(objects);
+  }
+}
+
+/// @return the differences on all ranks
+template <class On, class Body>
+index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most, bool uses_nccl, index_t& overlapped) {
+  std::mt19937 random(seed);
+  const auto nodes = static_cast<index_t>(1 + random() % static_cast<unsigned long>(seed % 5 == 0 ? 64 : most));
+  const Graph graph(nodes, random);
+  const bool follows = random() % 2 == 0;
+  Body whole, mine;
+  DistributedArrays arrays(ranks, uses);
+  distribute(arrays, mine, graph, follows);
+  fill_anywhere(whole, graph);  // behind cut(), which chooses the device
+  arrays.fill(mine.positions, whole.positions);
+  On plain = make_plain<On>(std::max({nodes, whole.edges.size(), whole.quads.size()}));
+  DistributedExecutor<On> on(ranks, arrays, {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
+  // Each beginning has what shows that some rows of the table are missing: a field that is stale, and a step that would
+  // then be done for ghosts, or would not fetch it.
+  const std::vector<int> beginnings[] = {{0, 1, 2, 0, 3, 4},
+                                         {19, 2, 19, 2, 0},
+                                         {0, 1, 5, 8, 0, 2, 6, 7},
+                                         {3, 4, 2, 0},
+                                         {0, 10, 2, 9, 1, 2, 11, 1},
+                                         {0, 15, 16, 8, 15, 0, 15, 17, 18, 15, 16, 19, 3},
+                                         {15, 18, 16, 2, 15, 17, 0, 15, 16}};
+  std::vector<int> program;
+  for (const int one : beginnings[seed % 7]) {
+    if (one < 19 || follows) program.push_back(one);  // what reads through two index fields needs a set that follows
+  }
+  for (int k = 0; k < 20; ++k) program.push_back(static_cast<int>(random() % (follows ? 20 : 19)));
+  for (const int chosen : program) {
+    step(plain, whole, chosen);
+    step(on, mine, chosen);
+  }
+  plain.wait();
+  on.wait();
+  index_t found = differences(arrays, mine.positions, whole.positions) +
+                  differences(arrays, mine.forces, whole.forces) + differences(arrays, mine.springs, whole.springs) +
+                  differences(arrays, mine.means, whole.means) + differences(arrays, mine.shares, whole.shares) +
+                  differences(arrays, mine.totals, whole.totals) + differences(arrays, mine.calms, whole.calms);
+  for (int k = 0; k < 3; ++k) found += mine.state.getdata(0, k) == whole.state.getdata(0, k) ? 0 : 1;
+  const auto back = arrays.whole(mine.positions);
+  const auto& positions = on_host(whole.positions);
+  for (index_t i = 0; i < back.size(); ++i) {
+    for (int k = 0; k < 3; ++k) found += back.getdata(i, k) == positions.getdata(i, k) ? 0 : 1;
+  }
+  if (back.size() != (ranks.is_first() ? nodes : 0)) ++found;
+  const std::array<index_t, 2> mine_of_both{found, on.traffic().overlapped};
+  std::vector<std::array<index_t, 2>> of_all(static_cast<std::size_t>(ranks.count()));
+  const std::vector<index_t> sizes(of_all.size(), sizeof mine_of_both);
+  arrays.transport().gather(std::as_bytes(std::span(mine_of_both)), sizes, std::as_writable_bytes(std::span(of_all)));
+  index_t sum = 0;
+  for (const auto& [differences_there, overlapped_there] : of_all) {
+    sum += differences_there;
+    overlapped += overlapped_there;
+  }
+  if (sum > 0 && ranks.is_first()) {
+    std::printf("seed %u: %lld nodes, %zu edges, %zu quads: %lld differences\n", seed, static_cast<long long>(nodes),
+                graph.edges.size(), graph.quads.size(), static_cast<long long>(sum));
+  }
+  return sum;
+}
+
+/// The table without a row: a view that would have none then has one that says that nothing is used.
+inline std::vector<HaloUse> without(std::size_t row) {
+  std::vector<HaloUse> rows(std::begin(table), std::end(table));
+  const HaloUse removed = rows.at(row);
+  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
+  for (const HaloUse& other : rows) {
+    if (other.kernel == removed.kernel && other.view == removed.view) return rows;
+  }
+  rows.push_back({removed.kernel, removed.view, "", {}, {}});
+  return rows;
+}
+
+template <class On>
+int run(int argc, char** argv) {
+  using Space = typename On::Space;
+  const Ranks ranks(argc, argv);
+  if (argc == 2 && argv[1] == std::string("--rows")) {
+    std::printf("%zu of %zu rows count\n", rows_that_count, std::size(table));
+    return 0;
+  }
+  unsigned first = 0, last = 20;
+  index_t most = 5000;
+  bool uses_nccl = true;
+  std::vector<HaloUse> uses(std::begin(table), std::end(table));
+  for (int a = 1; a < argc; ++a) uses_nccl = uses_nccl && argv[a] != std::string("--pinned");
+  for (int a = 1; a + 1 < argc; ++a) {
+    const std::string what = argv[a];
+    if (what == "--seeds" && a + 2 < argc) {
+      first = static_cast<unsigned>(std::atoi(argv[a + 1]));
+      last = static_cast<unsigned>(std::atoi(argv[a + 2]));
+    }
+    if (what == "--most") most = std::atoi(argv[a + 1]);
+    if (what == "--without") uses = without(static_cast<std::size_t>(std::atoi(argv[a + 1])));
+  }
+  index_t found = 0, overlapped = 0;
+  for (unsigned seed = first; seed < last; ++seed) {
+    ranks.guard([&] {
+      // nvcc takes minutes for each of these.
+      constexpr bool has_all = std::is_same_v<Space, Host>;
+      if constexpr (has_all) {
+        if (seed % 3 == 0) found += run_seed<On, InFloat<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      }
+      if (seed % 3 == 1) found += run_seed<On, InDouble<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      if (seed % 3 == 2 || (!has_all && seed % 3 == 0)) {
+        found += run_seed<On, InHalf<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+      }
+    });
+  }
+  if (ranks.is_first())
+    std::printf("seeds %u to %u on %d ranks: %lld differences, %lld exchanges overlapped\n", first, last - 1,
+                ranks.count(), static_cast<long long>(found), static_cast<long long>(overlapped));
+  return found == 0 ? 0 : 3;
+}
+
+}  // namespace graphs
