@@ -93,6 +93,7 @@ TEST_F(SavedFile, whose_datasets_another_program_has_cut_into_chunks_is_loaded_a
   write_file(file_, bytes_);
   expect_refusal("'svd' /svd/s is damaged");
 }
+
 TEST_F(SavedFile, with_any_wrong_bit_is_refused_or_gives_what_was_saved) {
   std::size_t refused = 0;
   for (std::size_t at = seed() % 3; at < bytes_.size(); at += 3) {

@@ -3,6 +3,8 @@
 
 namespace physgen::command {
 
-inline constexpr int done = 0, errors = 1, wrong_use = 2;
+inline constexpr int done = 0;
+inline constexpr int errors = 1;     ///< in what was read, which are printed
+inline constexpr int wrong_use = 2;  ///< of arguments, or of a file that cannot be read or written
 
 }  // namespace physgen::command

@@ -33,7 +33,7 @@ namespace physgen::files {
   return is_whole(stored) || is_whole(field) ? stored == field : true;
 }
 
-/// Rows of a file that are written and read at once.
+/// Rows of a .npy file that are written and read at once, by one thread, and converted on all.
 [[nodiscard]] inline index_t rows_at_once(int bytes_of_row) {
   constexpr index_t bytes = index_t{1} << 23;
   return bytes_of_row >= bytes / 1024 ? 1024 : align_up(bytes / bytes_of_row, index_t{1024});

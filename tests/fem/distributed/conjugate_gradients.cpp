@@ -19,10 +19,11 @@
 #include <quasistatic.halos.h>
 #include <quasistatic.scene.h>
 
-#include <bit>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <string>
+
+#include "digest.h"
 
 namespace {
 
@@ -77,17 +78,12 @@ struct Cube {
   }
 };
 
-/// FNV-1a.
-struct Digest {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  void add(std::uint64_t bits) { hash = (hash ^ bits) * 0x100000001b3; }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  void add_objects(const auto& view) {
-    for (index_t i = 0; i < view.size(); ++i) {
-      for (int k = 0; k < 3; ++k) add(std::uint64_t{std::bit_cast<std::uint32_t>(float{view[i].dx()[k]})});
-    }
+/// Adds the displacements of nodes.
+void add(Digest& digest, const auto& view) {
+  for (index_t i = 0; i < view.size(); ++i) {
+    for (int k = 0; k < 3; ++k) digest.add(float{view[i].dx()[k]});
   }
-};
+}
 
 /// @return a digest of the norms of all iterations
 template <class On>
@@ -122,8 +118,7 @@ Digest solve(On& on, Levels& levels, Krylov& v, const Options& options, Traffic&
 }
 
 void print(const Digest& digest, const Digest& norms, const auto& state) {
-  std::printf("digest %016llx norms %016llx iterations %d status %d rz %a alpha %a",
-              static_cast<unsigned long long>(digest.hash), static_cast<unsigned long long>(norms.hash),
+  std::printf("digest %s norms %s iterations %d status %d rz %a alpha %a", digest.text().c_str(), norms.text().c_str(),
               int{state.iterations}, int{state.status}, double{state.rz}, double{state.alpha});
 }
 
@@ -143,7 +138,7 @@ void run_plain(const Options& options) {
   Traffic none;
   const Digest norms = solve(on, levels, krylov, options, none);
   Digest digest;
-  digest.add_objects(krylov.step.const_view());
+  add(digest, krylov.step.const_view());
   print(digest, norms, on.value(krylov.state));
   std::printf("\n");
 }
@@ -178,7 +173,7 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   const Digest norms = solve(on, levels, krylov, options, before);
   const Traffic traffic = on.traffic();
   Digest digest;
-  arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) { digest.add_objects(view); });
+  arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) { add(digest, view); });
   const auto state = on.value(krylov.state);
   const LocalSet& nodes = arrays.set("level[0].node");
   if (!ranks.is_first()) return;

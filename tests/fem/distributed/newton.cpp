@@ -5,36 +5,21 @@
 //   --cells N      along each side (default 12)
 //   --ordinary 1   one process by the solver's ordinary way: its executor, arrays that are made of the whole mesh, and
 //                  chunks of tets
+#include <fem/solver/levels/level_halos.h>
 #include <quasistatic.halos.h>
 
-#include <bit>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <string>
+#include <vector>
 
+#include "digest.h"
 #include "part_of_equilibrium.h"
 
 namespace {
 
 using namespace physgen;
 using namespace physgen::fem;
-
-/// Of the bits of numbers, in their order.
-class Digest {
- public:
-  void add(double number) {
-    hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15;
-    hash_ ^= hash_ >> 32;
-  }
-  [[nodiscard]] std::string text() const {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash_));
-    return text;
-  }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-};
 
 Body pressed_cube(Index cells) {
   Body body = make_cube(
@@ -109,8 +94,7 @@ void run_ordinary(WholeEquilibrium& groups, const SolverSettings& settings) {
 }
 
 void run_on_ranks(const Ranks& ranks, const WholeEquilibrium& whole, const SolverSettings& settings) {
-  std::vector<HaloUse> rows(std::begin(scenes::quasistatic_scene::halos), std::end(scenes::quasistatic_scene::halos));
-  rows.insert(rows.end(), std::begin(product_rows), std::end(product_rows));
+  const std::vector<HaloUse> rows = with_halos_of_levels(scenes::quasistatic_scene::halos);
   PartOfEquilibrium groups(ranks, rows, whole);
   DistributedExecutor<HostExecutor> on(ranks, groups.arrays, {.poisons_stale_ghosts = true});
   Traffic before = on.traffic();

@@ -20,15 +20,6 @@ namespace of_scene = scenes::quasistatic_scene;
 using WholeEquilibrium =
     SceneGroups<of_scene::Body<>, NoArrays, of_scene::Chunk<>, of_scene::Level<>, of_scene::Krylov<>>;
 
-/// The product, which is done in place of a kernel over the nodes: see performs_in.h.
-inline constexpr HaloUse product_rows[] = {
-    {"physgen::fem::SymmetricProduct", 0, "K", {.reads_own = true}},
-    {"physgen::fem::SymmetricProduct", 1, "E", {.reads_others = true}, "level.node_edge_entries.code"},
-    {"physgen::fem::SymmetricProduct", 2, "nodes", {.reads_others = true}, "level.node_edge_entries.code"},
-    {"physgen::fem::SymmetricProduct", 3, "dx", {.reads_own = true, .reads_others = true}, "level.edges.nodes"},
-    {"physgen::fem::SymmetricProduct", 4, "df", {.reads_own = true, .writes_own = true}},
-};
-
 /// The entries of each row, by global numbers.
 template <class Ranges, class Entries>
 [[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {

@@ -79,7 +79,7 @@ def multigrid_has_the_bits_of_one_process():
 
 
 def newton(done):
-    """What a solve printed, but for what has crossed; its steps; exchanges and gathers of each of them; and numbers by name."""
+    """The lines that all solves have to print, the steps in them, exchanges and gathers of each step, and lines on chunks and unknown kernels."""
     status, output, errors, _ = done
     assert status == 0, f"status {status}: {output}{errors}"
     lines = output.splitlines()

@@ -70,11 +70,9 @@ void fill(Body& body, const Graph& graph) {
   body.means.resize(graph.nodes);
   body.homes.resize(graph.nodes);
   body.state.resize(1);
-  for (const auto groups : {static_cast<index_t>(graph.links.size())}) {
-    body.totals.resize(groups);
-    body.calms.resize(groups);
-    body.links.resize(groups);
-  }
+  body.links.resize(static_cast<index_t>(graph.links.size()));
+  body.totals.resize(body.links.size());
+  body.calms.resize(body.links.size());
   body.edges.resize(static_cast<index_t>(graph.edges.size()));
   body.springs.resize(body.edges.size());
   body.quads.resize(static_cast<index_t>(graph.quads.size()));

@@ -136,7 +136,7 @@ class Refused(unittest.TestCase):
         self.refuses(AttributeError, "has no field 'zzz'; it has density, ", lambda: of.zzz)
         self.refuses(KeyError, "did you mean 'density'", lambda: of["densty"])
         self.refuses(KeyError, "did you mean 'density'", lambda: of.tiles("densty"))
-        self.refuses(AttributeError, "layout cannot be set", lambda: setattr(of, "layout", "soa"))
+        self.refuses(AttributeError, "layout cannot be set; set fields, and let copy\\(\\) make", lambda: setattr(of, "layout", "soa"))
         element = everything.Element(2)
         self.refuses(AttributeError, "Element.lame has no field 'nu'", lambda: element.lame.nu)
         self.refuses(IndexError, "Element.fibres has no entry 2", lambda: element.fibres[2])
@@ -146,7 +146,7 @@ class Refused(unittest.TestCase):
         for layout in LAYOUTS:
             of = everything.Shapes(10, layout=layout)
             of.F = of.nodes = 3
-            wrong = ((ValueError, "F has the shape \\(10, 3, 3\\); values of the shape \\(10, 3\\) do not fit", "F", np.ones((10, 3)) * 2),
+            wrong = ((ValueError, "F has the shape \\(10, 3, 3\\); values of the shape \\(10, 3\\) do not fit; give that shape", "F", np.ones((10, 3)) * 2),
                      (ValueError, "values of the shape \\(9, 3, 3\\) do not fit", "F", np.ones((9, 3, 3))),
                      (TypeError, "F holds numbers of type float32, to which complex128 does not", "F", 1j),
                      (TypeError, "to which <U4 does not", "F", "text"),

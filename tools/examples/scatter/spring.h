@@ -1,3 +1,4 @@
+// What the kernel wants of a spring, and what it gives.
 #include <physgen/schema.h>
 
 namespace model {

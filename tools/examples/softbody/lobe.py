@@ -46,4 +46,6 @@ def main(cells, file):
         out.write("$EndElements\n")
 
 
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 main(int(sys.argv[1]), sys.argv[2])

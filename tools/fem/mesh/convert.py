@@ -83,7 +83,8 @@ class AbaqusMesh:
             try:
                 self.read(keyword, parameters, (self.at(number, keyword, words) for number, words in rows))
             except (KeyError, ValueError, IndexError) as error:
-                raise Refused(f"{self.where}: {error} is missing or is no number; the file may be damaged") from error
+                what = {KeyError: f"the parameter {error} is missing", IndexError: "a number is missing"}.get(type(error), error)
+                raise Refused(f"{self.where}: {what}; the file may be damaged: write the mesh again") from error
         self.where = path
         for element, corners in self.elements.items():
             self.require(corners, self.nodes, f"element {element} names node")
@@ -137,7 +138,7 @@ class AbaqusMesh:
             yield int(row[0]), tuple(map(int, row[1:]))
             row = []
         if row:
-            raise Refused(f"{self.where}: an element of type {kind} has a number and {CORNERS[kind]} nodes, this has others")
+            raise Refused(f"{self.where}: an element of type {kind} has a number and {CORNERS[kind]} nodes, not {len(row) - 1}; correct it")
 
     def add(self, known, new):
         """Takes (number, values) into those that are known, and gives the numbers."""
@@ -278,8 +279,7 @@ def main(source, target):
     if source.lower().endswith(".msh"):
         raise Refused(f"{source}: is in Gmsh's format already; give it to truthcube --mesh, or save it as .vtu where its ending is wrong")
     nodes, elements, groups = AbaqusMesh(source).all() if source.lower().endswith(".inp") else read_other(source)
-    tets = sum(len(corners) == 4 for corners in elements.values())
-    if tets == 0:
+    if (tets := sum(len(corners) == 4 for corners in elements.values())) == 0:
         raise Refused(f"{source}: has no linear tets; mesh the volume")
     if empty := [name for name, rows in groups.items() if not rows]:
         print(f"note: without members, so no groups: {', '.join(empty)}", file=sys.stderr)

@@ -77,7 +77,8 @@ void add_access(Class& python_class, const PartOf& part_of) {
   python_class.def("__setattr__", [part_of](const py::object& self, const std::string& name, const py::object& values) {
     if (part_of(self).set(name, values)) return;
     if (!py::hasattr(py::type::of(self), name.c_str())) throw py::attribute_error(part_of(self).unknown(name));
-    throw py::attribute_error(part_of(self).text() + "." + name + " cannot be set");
+    throw py::attribute_error(part_of(self).text() + "." + name +
+                              " cannot be set; set fields, and let copy() make an array that is stored otherwise");
   });
   python_class.def("__getitem__", [part_of](const py::object& self, const std::string& name) {
     if (py::object found = part_of(self).find(name)) return found;

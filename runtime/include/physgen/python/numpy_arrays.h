@@ -1,6 +1,7 @@
 // Arrays of NumPy over memory of objects, and the checks of what is assigned to one.
 #pragma once
 
+#include <physgen/python/dlpack.h>
 #include <physgen/python/object_array.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -69,12 +70,11 @@ struct Extents {
 
 /// What is assigned, as an array of NumPy. @throw a BufferError where it lies in other memory than the host's
 [[nodiscard]] inline py::array given_values(const py::object& values, const std::string& name) {
-  constexpr int host_device = 1, pinned_device = 3;  // kDLCPU, kDLCUDAHost
   if (py::isinstance<py::array>(values)) return values;
   if (py::hasattr(values, "__dlpack_device__")) {
     const auto device = values.attr("__dlpack_device__")().cast<py::tuple>();
     const int kind = device[0].cast<int>();
-    if (kind != host_device && kind != pinned_device) {
+    if (kind != dlpack::host && kind != dlpack::cuda_host) {
       throw py::buffer_error(name + ": the values lie on DLPack's device " + py::repr(device).cast<std::string>() +
                              "; they are taken from host memory, (1, 0), so copy them to the host first");
     }
@@ -102,7 +102,7 @@ inline void assign(const py::array& target, const py::array& values, const std::
     fitting = numpy.attr("broadcast_to")(values, target.attr("shape"));
   } catch (const py::error_already_set&) {
     throw py::value_error(name + " has the shape " + shape_text(target) + "; values of the shape " +
-                          shape_text(values) + " do not fit");
+                          shape_text(values) + " do not fit; give that shape, or one that NumPy broadcasts to it");
   }
   if (integers && values.size() > 0) {
     const py::object limits = numpy.attr("iinfo")(target.dtype());

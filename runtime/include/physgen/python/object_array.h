@@ -25,6 +25,7 @@ struct Storage {
   SpaceKind space;  ///< host or cuda
 };
 
+/// Objects of one type, which own their memory together with the views of their fields.
 class ObjectArray {
  public:
   /// `size` objects with their initial values.
