@@ -65,6 +65,8 @@ def multigrid_has_the_bits_of_one_process():
             # preconditioning is one without a product.
             assert counts["exchanges"] == 6 * iterations + 5, (iterations, counts)
             assert counts["gathers"] == 3 * iterations + 2, (iterations, counts)
+    options = "--preconditioner", "multigrid", "--cells", "8", "--coarsest", "2"  # ranks without nodes
+    assert result(ranks(4, "conjugate_gradients", *options))[0] == one_process(*options)[0]
     # Two levels are cut: the second one's nodes are of two ranks, too.
     options = "--preconditioner", "multigrid", "--cells", "32", "--coarsest", "4"
     wanted, iterations = one_process(*options)
