@@ -93,6 +93,18 @@ TEST_F(SavedFile, whose_datasets_another_program_has_cut_into_chunks_is_loaded_a
   write_file(file_, bytes_);
   expect_refusal("'svd' /svd/s is damaged");
 }
+TEST_F(SavedFile, is_loaded_whose_datasets_lie_in_another_file_behind_a_link) {
+  std::filesystem::rename(file_, folder_ / "other.h5");
+  save(file_, {{"svd", Svd(19)}});
+  {
+    const h5::Handle file(H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    for (const char* dataset : {"/svd/U", "/svd/V", "/svd/s"}) {
+      ASSERT_GE(H5Ldelete(file.id(), dataset, H5P_DEFAULT), 0);
+      ASSERT_GE(H5Lcreate_external("other.h5", dataset, file.id(), dataset, H5P_DEFAULT, H5P_DEFAULT), 0);
+    }
+  }
+  EXPECT_EQ(refusal(), "");
+}
 TEST_F(SavedFile, with_any_wrong_bit_is_refused_or_gives_what_was_saved) {
   std::size_t refused = 0;
   for (std::size_t at = seed() % 3; at < bytes_.size(); at += 3) {
