@@ -2,10 +2,12 @@
 #include <physgen/gather.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
+#include <physgen/save_npy.h>
 #include <physgen/threads.h>
 #include <physgen/topology.h>
 
 #include "checked_formats.h"
+#include "saved_files.h"
 
 namespace physgen::test {
 namespace {
@@ -236,6 +238,18 @@ TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {
   EXPECT_EQ(losses.out_of_range, 1U);
   EXPECT_EQ(losses.first.object, 33);
   EXPECT_EQ(losses.objects, 91);
+}
+
+TEST(CheckedFormats, keep_their_counts_when_as_many_objects_as_files_have_are_loaded) {
+  const Folder folder;
+  for (const index_t n : {40, 7}) {
+    Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(40);
+    save_npy(Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse>(n), folder / "stress");
+    array.view()[33].x1111() = 70000.0F;
+    load_npy(folder / "stress", array);
+    const Losses losses = array.take_losses();
+    EXPECT_TRUE(losses.out_of_range == 1 && losses.objects == n) << n;
+  }
 }
 
 /// A copy, an append, a gather and putdata are refused, and nothing has changed then.

@@ -220,25 +220,6 @@ TEST(ParallelFor, takes_kernels_of_double_over_objects_with_indices) {
   for (index_t e = 0; e < 21; ++e) ASSERT_EQ(out.view()[e].x1111(), 2.0);
 }
 
-TEST(Packs, read_the_objects_of_a_part_as_single_objects_do) {
-  constexpr index_t first = 5;
-  for (const index_t n : {6, 21, 40}) {
-    StressDerivativeArray<float> in(n), out(n - first);
-    for (index_t k = 0; k < n; ++k) in.view()[k].x1111() = static_cast<float>(k + 1);
-    const auto from = in.const_view();
-    const auto to = out.view();
-    parallel_for(Host{}, n - first, over<float>([=](auto i) {
-                   const auto own = object_of_part(first, i);
-                   to[i].x1111() = from[own].x1111().get();
-                   to[i].x2211() = from.get(own).x1111;
-                 }));
-    for (index_t k = 0; k < n - first; ++k) {
-      EXPECT_EQ(to[k].x1111(), static_cast<float>(first + k + 1)) << k << " of " << n;
-      EXPECT_EQ(to[k].x2211(), static_cast<float>(first + k + 1)) << k << " of " << n;
-    }
-  }
-}
-
 template <class Real>
 void check_neighbours_and_cells() {
   for (const index_t n : {1, 15, 16, 37}) {

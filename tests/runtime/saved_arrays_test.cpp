@@ -3,6 +3,10 @@
 #include <everything.physgen.h>
 #include <physgen/save.h>
 
+#include <atomic>
+#include <fstream>
+#include <functional>
+
 #include "saved_files.h"
 #include "stored_records.h"
 
@@ -197,6 +201,61 @@ TEST(SavedArrays, with_a_value_that_a_format_cannot_hold_are_refused_with_field_
   EXPECT_NE(message.find("cannot hold 2 values (2 out of range"), std::string::npos) << message;
   EXPECT_NE(message.find("the first is 1e+06 Pa in x1111 of object 29000"), std::string::npos) << message;
   expect_records(array.untyped(), before, "a load that is refused");
+}
+
+/// A format of a program's own that calls what a test wants, once, when its first number is loaded.
+struct Watched : Tenths {
+  inline static std::function<void()> at_first;
+  inline static std::atomic<bool> called = true;
+  template <class Real>
+  static std::int16_t encode(Real value) {
+    if (!called.exchange(true)) at_first();
+    return Tenths::encode(value);
+  }
+};
+struct WatchedDerivative : StressDerivativeFormats<Host> {
+  using x1111 = Watched;
+};
+
+/// The Error of a load into an array that is in use, when change(file) was called while the file was read again.
+std::string second_reading(const std::filesystem::path& file, const std::function<void()>& change) {
+  Array<StressDerivativeObject, float, Host, Soa, WatchedDerivative> array(50);
+  Watched::at_first = change;
+  Watched::called = false;
+  const detail::ArrayOfFile read(file, "a", array.untyped(), {});
+  return message_of([&] { read.give(array.untyped(), detail::Target::in_use, false); });
+}
+
+TEST(SavedArrays, say_that_an_array_holds_a_part_where_the_file_changes_between_two_readings) {
+  const Folder folder;
+  const std::filesystem::path file = folder / "a.h5";
+  const Derivatives saved = derivatives(50);
+  save(file, {{"a", saved}});
+  const std::string bytes = bytes_of_file(file);
+  const std::string element(reinterpret_cast<const char*>(&saved.view()[49].x3223()), sizeof(float));
+  EXPECT_EQ(second_reading(
+                file,
+                [&] {
+                  std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
+                  out.seekp(static_cast<std::streamoff>(bytes.find(element))).put(static_cast<char>(element[0] ^ 1));
+                }),
+            "physgen: " + file.string() +
+                ": 'a' /a/x3223 was changed while it was loaded, and the array holds a part of it: load it again");
+  write_file(file, bytes);
+  EXPECT_EQ(second_reading(file, [&] { std::filesystem::resize_file(file, 0); }),
+            "physgen: " + file.string() +
+                ": 'a' could not be read again, and the array holds a part of it: load it again (physgen: " +
+                file.string() + ": cannot read /a/x2211: the file ends before it)");
+}
+
+TEST(SavedArrays, give_an_array_of_another_size_memory_for_as_many_objects) {
+  const Folder folder;
+  save(folder / "a.h5", {{"a", derivatives(40)}});
+  for (const index_t n : {0, 10, 5000}) {
+    Derivatives array = derivatives(n, 1);
+    load(folder / "a.h5", "a", array);
+    EXPECT_EQ(array.bytes(), Derivatives(40).bytes()) << n;
+  }
 }
 
 TEST(SavedArrays, need_names_of_their_own) {

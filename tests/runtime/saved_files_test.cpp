@@ -54,8 +54,9 @@ class SavedFile : public ::testing::Test {
   std::string bytes_;
 };
 
-/// Stores a dataset of floats anew, in chunks of 5 rows, as programs do that pack files; all that is noted of it stays.
-void cut_into_chunks(const std::filesystem::path& path, const std::string& dataset) {
+/// Stores a dataset of floats anew, in chunks of 5 rows, packed or not, as other programs do; all that is noted of it
+/// stays.
+void cut_into_chunks(const std::filesystem::path& path, const std::string& dataset, bool packed) {
   const h5::Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
   const h5::Handle old(H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT), H5Dclose);
   const h5::Handle type(H5Dget_type(old.id()), H5Tclose), space(H5Dget_space(old.id()), H5Sclose);
@@ -66,6 +67,9 @@ void cut_into_chunks(const std::filesystem::path& path, const std::string& datas
   ASSERT_GE(H5Dread(old.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
   shape[0] = 5;
   ASSERT_GE(H5Pset_chunk(properties.id(), 2, shape), 0);
+  if (packed) {
+    ASSERT_GE(H5Pset_deflate(properties.id(), 9), 0);
+  }
   const h5::Handle made(H5Dcreate2(file.id(), "/new", type.id(), space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
                         H5Dclose);
   ASSERT_GE(H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
@@ -84,7 +88,7 @@ void cut_into_chunks(const std::filesystem::path& path, const std::string& datas
 }
 
 TEST_F(SavedFile, whose_datasets_another_program_has_cut_into_chunks_is_loaded_and_its_damage_found) {
-  cut_into_chunks(file_, "/svd/s");
+  cut_into_chunks(file_, "/svd/s", false);
   EXPECT_EQ(refusal(), "");
   bytes_ = bytes_of_file(file_);
   const float element = saved_.view()[3].s()[1];
@@ -92,6 +96,25 @@ TEST_F(SavedFile, whose_datasets_another_program_has_cut_into_chunks_is_loaded_a
   bytes_[at] = static_cast<char>(bytes_[at] ^ 1);  // the last of the two: the old dataset may still lie in the file
   write_file(file_, bytes_);
   expect_refusal("'svd' /svd/s is damaged");
+}
+TEST_F(SavedFile, whose_datasets_another_program_has_packed_is_loaded) {
+  saved_ = Svd(19);
+  for (index_t i = 0; i < 19; ++i) saved_.putdata(i, 20, 3);  // the last of s; all that is equal takes few bytes
+  save(file_, {{"svd", saved_}});
+  cut_into_chunks(file_, "/svd/s", true);
+  EXPECT_EQ(refusal(), "");
+}
+TEST_F(SavedFile, is_loaded_whose_datasets_lie_in_another_file_behind_a_link) {
+  std::filesystem::rename(file_, folder_ / "other.h5");
+  save(file_, {{"svd", Svd(19)}});
+  {
+    const h5::Handle file(H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    for (const char* dataset : {"/svd/U", "/svd/V", "/svd/s"}) {
+      ASSERT_GE(H5Ldelete(file.id(), dataset, H5P_DEFAULT), 0);
+      ASSERT_GE(H5Lcreate_external("other.h5", dataset, file.id(), dataset, H5P_DEFAULT, H5P_DEFAULT), 0);
+    }
+  }
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(SavedFile, with_any_wrong_bit_is_refused_or_gives_what_was_saved) {

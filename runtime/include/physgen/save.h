@@ -6,6 +6,7 @@
 #pragma once
 
 #include <physgen/arrays/array.h>
+#include <physgen/arrays/resized.h>
 #include <physgen/arrays/saved_arrays.h>
 
 namespace physgen {
@@ -17,7 +18,8 @@ namespace physgen {
 /// @param fields to load; all that both have where there are none
 /// @throw Error when the file is none of save()'s, newer than this library, truncated or damaged; when it has no such
 /// array or field, or they do not fit: another type of object, other numbers of elements, other units, integers in the
-/// place of real numbers; in checked builds also when a format cannot hold a value. `array` is then unchanged
+/// place of real numbers; in checked builds also when a format cannot hold a value. `array` is then unchanged, but
+/// where the file changes during the call, and the Error says so
 template <class Object, class Real, class Space, class Layout, class Formats>
 Loaded load(const std::filesystem::path& file, const std::string& name,
             Array<Object, Real, Space, Layout, Formats>& array, std::span<const std::string> fields = {}) {
@@ -25,8 +27,7 @@ Loaded load(const std::filesystem::path& file, const std::string& name,
   if (read.loaded().objects == array.size()) {
     read.give(array.untyped(), detail::Target::in_use, checked_build);
   } else {
-    auto other = array;
-    other.resize(read.loaded().objects);
+    auto other = detail::resized(array, read.loaded().objects);
     read.give(other.untyped(), detail::Target::spare, checked_build);
     array.swap(other);
   }

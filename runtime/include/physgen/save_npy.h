@@ -7,6 +7,7 @@
 
 #include <physgen/arrays/array.h>
 #include <physgen/arrays/npy_files.h>
+#include <physgen/arrays/resized.h>
 
 #include <initializer_list>
 
@@ -32,8 +33,7 @@ template <class Object, class Real, class Space, class Layout, class Formats>
 Loaded load_npy(const std::filesystem::path& folder, Array<Object, Real, Space, Layout, Formats>& array,
                 std::span<const std::string> fields = {}) {
   const detail::NpyFolder files(folder, array.untyped(), fields);
-  auto other = array;
-  other.resize(files.loaded().objects);
+  auto other = detail::resized(array, files.loaded().objects);
   files.read(other.untyped(), checked_build);
   array.swap(other);
   return files.loaded();

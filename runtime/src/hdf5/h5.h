@@ -113,7 +113,6 @@ class File {
     return {id, close};
   }
   [[nodiscard]] Handle dataset_properties(const std::string& asked) const;
-  [[nodiscard]] int descriptor() const;  // the system's
   [[nodiscard]] Handle open_object(const std::string& name) const;
   [[nodiscard]] Handle open_dataset(const std::string& name) const;
   [[nodiscard]] Handle open_attribute(const Handle& object, const std::string& name) const;

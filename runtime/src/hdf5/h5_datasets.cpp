@@ -136,6 +136,16 @@ bool File::has_type(const std::string& name, hid_t type) const {
 
 bool File::holds_all(const std::string& name) const {
   const Handle dataset = open_dataset(name);
+  const Handle made = hold(H5Dget_create_plist(dataset.id()), H5Pclose, "read how " + name + " is stored");
+  if (H5Pget_nfilters(made.id()) > 0) {  // its values take any number of bytes
+    const std::vector<hsize_t> rows = shape(name);
+    std::vector<hsize_t> chunk(rows.size());
+    require(H5Pget_chunk(made.id(), static_cast<int>(chunk.size()), chunk.data()) >= 0, "read the chunks of " + name);
+    hsize_t there = 0, needed = 1;
+    require(H5Dget_num_chunks(dataset.id(), space_of(dataset, name).id(), &there) >= 0, "count the chunks of " + name);
+    for (std::size_t k = 0; k < rows.size(); ++k) needed *= (rows[k] + chunk[k] - 1) / chunk[k];
+    return there == needed;
+  }
   const Handle stored = hold(H5Dget_type(dataset.id()), H5Tclose, "read the type of " + name);
   const hssize_t count = H5Sget_simple_extent_npoints(space_of(dataset, name).id());
   return count >= 0 && static_cast<hsize_t>(count) <= H5Dget_storage_size(dataset.id()) / H5Tget_size(stored.id());

@@ -194,10 +194,14 @@ void ArrayOfFile::give(const UntypedArray& to, Target target, bool check) const 
                 " is damaged: its checksum is another one than was noted when it was saved");
   }
   throw_if_falsified(losses, to);
-  if (!at_once) other = read_all(datasets_->all, to.size, to.record_bytes, place_, convert);
-  if (other != nullptr) {
-    throw Error(place_ + " " + other->name +
-                " was changed while it was loaded, and the array holds a part of it: load it again");
+  if (!at_once) {
+    constexpr const char* partly = ", and the array holds a part of it: load it again";
+    try {
+      other = read_all(datasets_->all, to.size, to.record_bytes, place_, convert);
+    } catch (const std::exception& error) {
+      throw Error(place_ + " could not be read again" + partly + " (" + error.what() + ")");
+    }
+    if (other != nullptr) throw Error(place_ + " " + other->name + " was changed while it was loaded" + partly);
   }
   twin.copy_back(to);
 }

@@ -39,9 +39,16 @@ RawRows::RawRows(const File& file, const std::string& dataset, hid_t type)
       type_(H5Tcopy(type), H5Tclose),
       shape_(file.shape(dataset)),
       bytes_of_row_(H5Tget_size(type) * (shape_.size() == 2 ? shape_[1] : 1)),
-      descriptor_(file.descriptor()),
+      descriptor_(descriptor()),
       begin_(H5Dget_offset(dataset_.id())) {
   if (!file.has_type(dataset, type)) fail("move rows of", "it holds numbers of another type");
+}
+
+int RawRows::descriptor() const {
+  const Handle file(H5Iget_file_id(dataset_.id()), H5Fclose);
+  void* handle = nullptr;
+  if (H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &handle) < 0) fail("move rows of", "it lies in no file of the system");
+  return *static_cast<const int*>(handle);
 }
 
 void RawRows::fail(const char* asked, const std::string& why) const {

@@ -32,13 +32,14 @@ class RawRows {
   // Of a dataset that another program has stored in pieces: by HDF5's library, one thread after the other.
   void read_pieces(hsize_t first_row, hsize_t rows, void* values) const;
   [[noreturn]] void fail(const char* asked, const std::string& why) const;
+  [[nodiscard]] int descriptor() const;
   [[nodiscard]] off_t place_of(hsize_t row) const { return static_cast<off_t>(begin_ + row * bytes_of_row_); }
 
   std::string file_, name_;  // for messages
   Handle dataset_, type_;
   std::vector<hsize_t> shape_;
   std::size_t bytes_of_row_;
-  int descriptor_;  // of the file
+  int descriptor_;  // of the file that the dataset lies in, which is another one behind an external link
   haddr_t begin_;   // of the rows in the file; HADDR_UNDEF where they are not in one piece, or not there yet
 };
 

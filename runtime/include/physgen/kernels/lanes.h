@@ -36,6 +36,7 @@ template <SingleObject I>
 /// The object(s) first + i, where a kernel is called for the objects of a part that begins at `first`: the own ones,
 /// too. It is an index for views, not a number to calculate with; numbers(i) is one.
 /// @param first the same in all calls of a launch
+/// @throw Error in packs, when a number exceeds 2^31 - 1
 template <detail::OfOneObject I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr auto object_of_part(index_t first, const I& i) {
   if constexpr (std::same_as<I, detail::OwnObject>) {

@@ -42,6 +42,7 @@ template <detail::OfPack I>
 
 template <detail::OfPack I>
 [[nodiscard]] auto object_of_part(index_t first, const I& i) {
+  detail::check_number(first + detail::bare(i).begin + lane_range(i).last - 1);
   const auto objects = numbers(i) + static_cast<std::int32_t>(first);
   return Own<std::remove_const_t<decltype(objects)>, detail::FrameOfPart>{objects, nullptr};
 }
