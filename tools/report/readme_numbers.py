@@ -56,8 +56,8 @@ def _error_against_time(paths):
 
 
 PICTURES = [
-    Picture("tools/report/results/h200_pareto.svg", ("h200.json", "h200_storage.json"), _of_page("pareto")),
-    Picture("tools/report/results/h200_gathered.svg", ("h200_gathers.json",), _of_page("gathered")),
+    Picture("tools/report/results/h100_pareto.svg", ("h100.json", "h100_storage.json"), _of_page("pareto")),
+    Picture("tools/report/results/h100_gathered.svg", ("h100_gathers.json",), _of_page("gathered")),
     Picture("tools/report/results/truthcube/error_against_time.svg", ("truthcube/errors.json",), _error_against_time),
 ]
 

@@ -66,14 +66,14 @@ class ReadmeTest(ReadmeCase):
             self.assertIn(f"{picture.path}: not drawn from the present", stale)
 
     def test_a_changed_digit_of_a_result_is_found(self):
-        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        path = self.root / readme_numbers.RESULTS / "h100_gathers.json"
         content = json.loads(path.read_text())
         row = next(row for row in content["benchmarks"] if re.fullmatch("gather_nodes/soa/.*/random", row["name"]))
         row["median_ms"] += 0.001
         path.write_text(json.dumps(content))
         done = command("--check", self.root)
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"results/README.md:\d+: the table 'gathers' is not what h200_gathers.json says:\n- .*\n\+ ")
+        self.assertRegex(done.stderr, r"results/README.md:\d+: the table 'gathers' is not what h100_gathers.json says:\n- .*\n\+ ")
         self.assertIn("readme_numbers.py --write", done.stderr)
 
     def test_the_picture_of_the_cube_is_small_and_its_command_is_in_the_readme(self):
@@ -116,7 +116,7 @@ class ReadmeTest(ReadmeCase):
 
     def test_a_table_of_fused_kernels_stands_them_beside_the_separate_ones(self):
         results = self.root / readme_numbers.RESULTS
-        content = json.loads((results / "h200.json").read_text())
+        content = json.loads((results / "h100.json").read_text())
         like = next(row for row in content["benchmarks"] if row["name"].startswith("dp_from_df/aosoa32/float/cuda/"))
         chain = {"separate": 1.6, "fused": 0.32, "fused_fixed_order": 0.5, "fused_gathered": 0.8}
         times = {f"force_chain_{name}": ms for name, ms in chain.items()}
@@ -127,8 +127,8 @@ class ReadmeTest(ReadmeCase):
             | {"median_ms": ms, "bytes_per_object": 300, "copy_fraction": 0.75}
             for kernel, ms in times.items()
         ]
-        (results / "h200_fused.json").write_text(json.dumps(content))
-        place = "<!-- figures: fused, from h200_fused.json -->\n"
+        (results / "h100_fused.json").write_text(json.dumps(content))
+        place = "<!-- figures: fused, from h100_fused.json -->\n"
         self.append("README.md", f"\n{place}<!-- end of figures -->\n")
         self.assertEqual(command("--write", self.root).returncode, 0)
         text = readme_numbers.Checkout(self.root).text("README.md")
@@ -136,8 +136,8 @@ class ReadmeTest(ReadmeCase):
         self.assertIn("| the same in a fixed order | 1.600 | 0.500 | 3.20x |", text)
         self.assertIn("clamped derivative | 1.000 | 0.400 | 2.50x | 300 | 0.75 |", text)
         del content["benchmarks"][-2]
-        (results / "h200_fused.json").write_text(json.dumps(content))
-        self.refused("h200_fused.json has no row matrix_free_separate/aosoa32/float/cuda/*")
+        (results / "h100_fused.json").write_text(json.dumps(content))
+        self.refused("h100_fused.json has no row matrix_free_separate/aosoa32/float/cuda/*")
 
 
 if __name__ == "__main__":

@@ -36,20 +36,20 @@ class WriteTest(ReadmeCase):
         self.assertEqual(command("--check", self.root).returncode, 0)
         soa = next(
             row
-            for row in rows.load([str(self.root / readme_numbers.RESULTS / "h200_gathers.json")]).rows
+            for row in rows.load([str(self.root / readme_numbers.RESULTS / "h100_gathers.json")]).rows
             if (row.layout, row.set) == ("soa", "random")
         )
         self.assertRegex((self.root / MEASURED).read_text(encoding="utf-8"), rf"\| at random \| .* \| {soa.ms:.3f} \|")
 
     def test_a_new_kernel_gets_a_line_of_its_own(self):
-        path = self.root / readme_numbers.RESULTS / "h200.json"
+        path = self.root / readme_numbers.RESULTS / "h100.json"
         content = json.loads(path.read_text())
         for row in [row for row in content["benchmarks"] if row["name"].startswith("stress/")]:
             content["benchmarks"].append(dict(row, name="new_" + row["name"]))
         path.write_text(json.dumps(content))
         done = command("--check", self.root)
         self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"the table 'kernels' is not what h200.json says:\n\+ \| new_stress \|")
+        self.assertRegex(done.stderr, r"the table 'kernels' is not what h100.json says:\n\+ \| new_stress \|")
 
     def test_the_table_of_packages_is_that_of_their_list(self):
         path = self.root / PACKAGES
@@ -73,20 +73,20 @@ class WriteTest(ReadmeCase):
         self.refused("results/README.md:", "no '<!-- end of figures -->' behind the table 'kernels'")
 
     def test_results_without_a_row_are_refused(self):
-        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        path = self.root / readme_numbers.RESULTS / "h100_gathers.json"
         content = json.loads(path.read_text())
         content["benchmarks"] = [row for row in content["benchmarks"] if "/soa/" not in row["name"]]
         path.write_text(json.dumps(content))
-        self.refused("h200_gathers.json has no row gather_nodes/soa/float/cuda/*/ordered; measure it")
+        self.refused("h100_gathers.json has no row gather_nodes/soa/float/cuda/*/ordered; measure it")
 
     def test_missing_and_foreign_results_are_refused(self):
-        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        path = self.root / readme_numbers.RESULTS / "h100_gathers.json"
         content = json.loads(path.read_text())
         content["context"]["results_version"] = "2"
         path.write_text(json.dumps(content))
-        self.refused("h200_gathers.json: context.results_version is '2'")
+        self.refused("h100_gathers.json: context.results_version is '2'")
         path.unlink()
-        self.refused("h200_gathers.json: No such file")
+        self.refused("h100_gathers.json: No such file")
         (self.root / "README.md").unlink()
         self.refused("README.md: No such file")
 
