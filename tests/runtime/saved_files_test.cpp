@@ -116,6 +116,14 @@ TEST_F(SavedFile, is_loaded_whose_datasets_lie_in_another_file_behind_a_link) {
   }
   EXPECT_EQ(refusal(), "");
 }
+TEST_F(SavedFile, does_not_depend_on_when_it_was_saved) {
+  const h5::Handle file(H5Fopen(file_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  for (const char* object : {"/", "/svd", "/svd/s"}) {
+    H5O_info_t info;
+    ASSERT_GE(H5Oget_info_by_name(file.id(), object, &info, H5P_DEFAULT), 0);
+    EXPECT_TRUE(info.btime == 0 && info.ctime == 0 && info.mtime == 0 && info.atime == 0) << object;
+  }
+}
 
 TEST_F(SavedFile, with_any_wrong_bit_is_refused_or_gives_what_was_saved) {
   std::size_t refused = 0;

@@ -56,6 +56,7 @@ void File::fail(const std::string& asked) const {
 File File::create(const std::filesystem::path& path, std::uint64_t bytes, Growth growth) {
   begin();
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.id(), false);  // of the root
   if (growth == Growth::in_place) H5Pset_istore_k(creation.id(), index_half_width);
   const Handle access(access_properties(growth), H5Pclose);
   File file(path, Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose));
@@ -96,8 +97,16 @@ bool File::has_attribute(const std::string& object, const std::string& name) con
   return there > 0;
 }
 
+Handle File::without_times(hid_t kind, const std::string& asked) const {
+  Handle properties = hold(H5Pcreate(kind), H5Pclose, asked);
+  require(H5Pset_obj_track_times(properties.id(), false) >= 0, asked);
+  return properties;
+}
+
 void File::make_group(const std::string& name) {
-  hold(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "create " + name);
+  const std::string asked = "create " + name;
+  const Handle properties = without_times(H5P_GROUP_CREATE, asked);
+  hold(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose, asked);
 }
 
 void File::rename(const std::string& from, const std::string& to) {

@@ -6,18 +6,11 @@
 
 namespace physgen::h5 {
 
-// Without the time of day, so that files of equal contents are equal.
-Handle File::dataset_properties(const std::string& asked) const {
-  Handle properties = hold(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, asked);
-  require(H5Pset_obj_track_times(properties.id(), false) >= 0, asked);
-  return properties;
-}
-
 void File::write_fixed(const std::string& name, hid_t file, hid_t memory, const void* values,
                        const std::vector<hsize_t>& shape) {
   const std::string asked = "write " + name;
   const Handle space = hold(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, asked);
-  const Handle properties = dataset_properties(asked);
+  const Handle properties = without_times(H5P_DATASET_CREATE, asked);
   Handle dataset =
       hold(H5Dcreate2(file_.id(), name.c_str(), file, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Dclose,
            asked);
@@ -28,7 +21,7 @@ void File::write_fixed(const std::string& name, hid_t file, hid_t memory, const 
 void File::make_fixed(const std::string& name, hid_t type, std::span<const hsize_t> shape) {
   const std::string asked = "create " + name;
   const Handle space = hold(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, asked);
-  const Handle properties = dataset_properties(asked);
+  const Handle properties = without_times(H5P_DATASET_CREATE, asked);
   require(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY) >= 0, asked);
   require(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER) >= 0, asked);
   Handle dataset =
@@ -59,7 +52,7 @@ std::vector<T> File::read_dataset(const std::string& name) const {
 void File::make_chunked(const std::string& name, hid_t type, std::vector<hsize_t> chunk) {
   const std::string asked = "create " + name;
   const int rank = static_cast<int>(chunk.size());
-  const Handle properties = dataset_properties(asked);
+  const Handle properties = without_times(H5P_DATASET_CREATE, asked);
   require(H5Pset_chunk(properties.id(), rank, chunk.data()) >= 0, asked);
   require(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER) >= 0, asked);  // all rows are written, once
   std::vector<hsize_t> now = chunk, most = chunk;
