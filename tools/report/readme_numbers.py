@@ -22,7 +22,7 @@ tools/packages.txt. Figures of results stand in such tables, and not in sentence
 RESULTS = "tools/report/results"
 PAGES = ["README.md", "tools/README.md", "tools/report/results/README.md"]
 PAGES += [f"tools/{folder}/README.md" for folder in ("fem", "physbench", "truthcube")]
-PAGES += ["generator/scenes/README.md"]
+PAGES += ["generator/scenes/README.md", "runtime/distributed.md"]
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
 
