@@ -161,9 +161,9 @@ TEST(Usage, of_two_sides_is_united) {
 Graph sample_graph() {
   Graph graph;
   graph.fields.resize(2);
-  graph.fields[0].array = graph.fields[1].array = "bodies";
-  graph.fields[0].field = "x";
-  graph.fields[1].field = "y";
+  graph.fields[0].use.array = graph.fields[1].use.array = "bodies";
+  graph.fields[0].use.field = "x";
+  graph.fields[1].use.field = "y";
   const auto function = [&](const char* file, std::vector<Call> calls, Access access = Access::none, int field = -1) {
     Function made;
     made.place.file = file;
