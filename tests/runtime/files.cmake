@@ -16,7 +16,7 @@ endif()
 
 # Arrays in files, where HDF5 is; and what h5py reads of them.
 if(TARGET physgen::hdf5)
-  physgen_add_test(runtime_saved_test LABEL runtime SOURCES saved_arrays_test.cpp saved_files_test.cpp
+  physgen_add_test(runtime_saved_test LABEL runtime SOURCES saved_arrays_test.cpp saved_calls_test.cpp saved_files_test.cpp
     LIBRARIES physgen_schemas physgen::hdf5
     INCLUDES ${PROJECT_SOURCE_DIR}/tests/generator/golden ${PROJECT_SOURCE_DIR}/runtime/src ${PROJECT_SOURCE_DIR}/tools)
   target_include_directories(runtime_saved_test SYSTEM PRIVATE ${PHYSGEN_HDF5_INCLUDE})
