@@ -45,6 +45,18 @@ class ProbeArray {
   index_t size_;
 };
 
+namespace detail {
+
+template <class Of, class Formats>
+struct ArrayStoredAs;  // scenes/scene_arrays.h
+
+template <class Object, class Real, class Layout, class Formats, class Space, class Others>
+struct ArrayStoredAs<ProbeArray<Object, Real, Layout, Formats, Space>, Others> {
+  using type = ProbeArray<Object, Real, Layout, Formats, Space>;
+};
+
+}  // namespace detail
+
 /// The probe that stands for an Array: of the same object type, precision, layout, space and formats.
 template <class Array, class ArrayTag>
 using ProbeOf =

@@ -14,10 +14,18 @@
 
 namespace physgen {
 
-/// The same array, with its fields stored as Formats says.
+namespace detail {
+
 template <class Of, class Formats>
-using WithFormats =
-    Array<typename Of::Object, typename Of::Precision, typename Of::Space, typename Of::Layout, Formats>;
+struct ArrayStoredAs {
+  using type = Array<typename Of::Object, typename Of::Precision, typename Of::Space, typename Of::Layout, Formats>;
+};
+
+}  // namespace detail
+
+/// The same array, with its fields stored as Formats says. A ProbeArray is the same for all formats.
+template <class Of, class Formats>
+using WithFormats = typename detail::ArrayStoredAs<Of, Formats>::type;
 
 /// The same array, with its objects lying as Layout says.
 template <class Of, class Layout>
