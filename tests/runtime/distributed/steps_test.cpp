@@ -243,5 +243,24 @@ TEST_F(Steps, give_out_no_numbers_of_one_rank_and_take_no_entries_of_rows) {
             "by a kernel that is run over them, or write an array of objects");
 }
 
+TEST_F(Steps, refuse_an_array_that_was_not_added_where_a_number_was_before) {
+  cut(true);
+  HaloSteps steps(arrays, true);
+  const std::string name = "Known";
+  const auto run = [&](const KernelView& numbers) {
+    const HaloSteps::Kernel kernel{&name, {of(positions.const_view()), numbers}};
+    return message_of([&] {
+      (void)steps.begin(std::span(&kernel, 1), 100, HaloSteps::Way::run);
+      steps.end();
+    });
+  };
+  elasticity::NodeForceArray<double> number(1), others(100);
+  EXPECT_EQ(run(of(number.const_view())), "accepted");
+  EXPECT_EQ(
+      run(of(others.const_view())),
+      "physgen: Known uses an array of 100 elasticity::NodeForce that is none of the distributed arrays; add() it "
+      "before cut()");
+}
+
 }  // namespace
 }  // namespace physgen

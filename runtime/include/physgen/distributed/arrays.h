@@ -96,6 +96,7 @@ class DistributedArrays : public Partition {
     requires detail::SameObject<Array, Whole>
   void fill(Array& array, const Whole& whole);
   /// The caller has written objects of an array that this rank owns, outside of the program's steps. All ranks call it.
+  /// @throw Error when it has entries of rows
   template <class Array>
   void owned_changed(const Array& array) {
     set_fresh(number_of_this(array), false);
