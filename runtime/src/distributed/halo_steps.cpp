@@ -31,8 +31,12 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   Key key;
   for (const Kernel& kernel : kernels) {
     key.push_back(reinterpret_cast<std::intptr_t>(kernel.name));
-    // By numbers, not addresses, so that all ranks find a step, or none does.
-    for (const KernelView& view : kernel.views) key.push_back(view.base == nullptr ? -2 : arrays_.find(view.base));
+    // By numbers, not addresses, so that all ranks find a step, or none does. Of what is none of the arrays, a number
+    // that all ranks keep is told from an array, which resolve() refuses.
+    for (const KernelView& view : kernel.views) {
+      const int array = view.base == nullptr ? -2 : arrays_.find(view.base);
+      key.push_back(array == -1 && view.size != 1 ? -3 : array);
+    }
   }
   auto found = steps_.find(key);
   if (found == steps_.end()) found = steps_.emplace(std::move(key), resolve(kernels, size)).first;

@@ -148,6 +148,11 @@ const index_t* Partition::global_numbers(int array) {
 
 void Partition::set_fresh(int array, bool is_fresh) {
   DistributedArray& found = arrays_[static_cast<std::size_t>(array)];
+  if (sets_[static_cast<std::size_t>(found.set)].kind == DistributedSet::Kind::entries) {
+    throw Error(found.name +
+                " has entries of rows, which a rank has of ghosts, too, and which never cross; write them by a kernel "
+                "that is run over them, or write an array of objects");
+  }
   for (std::size_t f = 0; f < found.is_fresh.size(); ++f) found.is_fresh[f] = is_fresh || found.is_index[f] ? 1 : 0;
 }
 

@@ -14,6 +14,8 @@ class GatheredSets : public Steps {
     arrays.add("b.totals", "group", totals);
     arrays.add("b.group_ranges", "group", group_ranges);
     arrays.add("b.homes", "node", homes);
+    arrays.add("b.anchors", "group", anchors);
+    arrays.connect(anchors, "nodes", "node", [](index_t group) { return std::array{10 * group, 10 * group + 9}; });
     arrays.connect(homes, "nodes", "group", [](index_t node) { return std::array{node / 10, node % 10}; });
     arrays.connect_rows(group_ranges, "b.members", members, "element", "node", [](index_t group) {
       std::vector<elasticity::Incidence<float>> row(2);
@@ -31,7 +33,7 @@ class GatheredSets : public Steps {
   elasticity::NodeForceArray<float> totals;
   elasticity::IncidenceRangeArray<float> group_ranges;
   elasticity::IncidenceArray<float> members;
-  elasticity::EdgeArray<float> homes;
+  elasticity::EdgeArray<float> homes, anchors;
 };
 
 TEST_F(GatheredSets, are_computed_in_parts_where_a_kernel_reads_parts) {
@@ -81,6 +83,13 @@ TEST_F(GatheredSets, give_their_rows_to_no_other_set) {
   EXPECT_EQ(step("AddsTotals", {of(group_ranges.const_view()), of(totals.view())}, 10),
             "physgen: AddsTotals writes b.totals.f of other objects than that of its call, which all ranks have: they "
             "would differ; reduce instead");
+}
+
+TEST_F(GatheredSets, give_out_no_numbers_that_one_rank_knows) {
+  EXPECT_EQ(message_of([&] { (void)arrays.whole(anchors); }),
+            "physgen: b.anchors.nodes is known of those objects alone that this rank computes, so that no array of all "
+            "objects can have it; take another array, and these from what they were connected with");
+  EXPECT_EQ(arrays.whole(homes)[index_t{99}].nodes()[0], 9);
 }
 
 TEST_F(GatheredSets, are_one_set) {

@@ -100,6 +100,20 @@ index_t differences(const DistributedArrays& arrays, const Array& mine, const Ar
   return found;
 }
 
+/// Of all objects, which rank 0 takes: index fields have the numbers of one process again.
+template <class Array>
+index_t differences_behind_taking(DistributedArrays& arrays, const Ranks& ranks, const Array& mine,
+                                  const Array& whole) {
+  const auto back = arrays.whole(mine);
+  const auto& all = on_host(whole);
+  if (back.size() != (ranks.is_first() ? all.size() : 0)) return 1;
+  index_t found = 0;
+  for (index_t i = 0; i < back.size(); ++i) {
+    for (int k = 0; k < Array::elements; ++k) found += back.getdata(i, k) == all.getdata(i, k) ? 0 : 1;
+  }
+  return found;
+}
+
 /// An executor of one process. @param objects of the longest reduction
 template <class On>
 On make_plain(index_t objects) {
@@ -122,6 +136,10 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
   distribute(arrays, mine, graph, follows);
   fill_anywhere(whole, graph);  // behind cut(), which chooses the device
   arrays.fill(mine.positions, whole.positions);
+  // Connected fields keep the numbers of this rank, whatever the filled objects have there.
+  arrays.fill(mine.edges, whole.edges), arrays.fill(mine.quads, whole.quads), arrays.fill(mine.links, whole.links);
+  arrays.fill(mine.homes, [](index_t) { return typename decltype(mine.homes)::Value{}; });
+  arrays.fill(mine.ranges, whole.ranges);
   On plain = make_plain<On>(std::max({nodes, whole.edges.size(), whole.quads.size()}));
   DistributedExecutor<On> on(ranks, arrays, {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
   // Each beginning has what shows that some rows of the table are missing: a field that is stale, and a step that would
@@ -149,12 +167,11 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
                   differences(arrays, mine.means, whole.means) + differences(arrays, mine.shares, whole.shares) +
                   differences(arrays, mine.totals, whole.totals) + differences(arrays, mine.calms, whole.calms);
   for (int k = 0; k < 3; ++k) found += mine.state.getdata(0, k) == whole.state.getdata(0, k) ? 0 : 1;
-  const auto back = arrays.whole(mine.positions);
-  const auto& positions = on_host(whole.positions);
-  for (index_t i = 0; i < back.size(); ++i) {
-    for (int k = 0; k < 3; ++k) found += back.getdata(i, k) == positions.getdata(i, k) ? 0 : 1;
-  }
-  if (back.size() != (ranks.is_first() ? nodes : 0)) ++found;
+  found += differences_behind_taking(arrays, ranks, mine.positions, whole.positions) +
+           differences_behind_taking(arrays, ranks, mine.edges, whole.edges) +
+           differences_behind_taking(arrays, ranks, mine.quads, whole.quads) +
+           differences_behind_taking(arrays, ranks, mine.links, whole.links) +
+           differences_behind_taking(arrays, ranks, mine.homes, whole.homes);
   const std::array<index_t, 2> mine_of_both{found, on.traffic().overlapped};
   std::vector<std::array<index_t, 2>> of_all(static_cast<std::size_t>(ranks.count()));
   const std::vector<index_t> sizes(of_all.size(), sizeof mine_of_both);

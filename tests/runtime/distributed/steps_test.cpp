@@ -219,5 +219,48 @@ TEST_F(Steps, take_whole_arrays_in_other_layouts_and_give_them_back) {
             "physgen: elasticity::NodePosition: an array of 99 objects is given for a set of 100; give all objects");
 }
 
+TEST_F(Steps, leave_connected_fields_of_filled_arrays_as_they_are) {
+  cut(true);
+  arrays.fill(edges, [](index_t) { return elasticity::Edge<float>{}; });
+  elasticity::EdgeArray<float> of_all(60);
+  arrays.fill(edges, of_all);
+  arrays.fill(ranges, [](index_t) { return elasticity::IncidenceRange<float>{}; });
+  const auto back = arrays.whole(edges);
+  for (index_t e = 0; e < 60; ++e) {
+    EXPECT_EQ(edges[e].nodes()[1], e + 1);
+    EXPECT_EQ(back[e].nodes()[1], e + 1);
+    EXPECT_EQ(ranges[e].end() - ranges[e].begin(), 1);
+  }
+}
+
+TEST_F(Steps, give_out_no_numbers_of_one_rank_and_take_no_entries_of_rows) {
+  cut(true);
+  EXPECT_EQ(message_of([&] { (void)arrays.whole(ranges); }),
+            "physgen: b.ranges.begin is a place among the entries of this rank, so that no array of all objects can "
+            "have it; take another array, and these from what they were connected with");
+  EXPECT_EQ(message_of([&] { arrays.owned_changed(ends); }),
+            "physgen: b.ends has entries of rows, which a rank has of ghosts, too, and which never cross; write them "
+            "by a kernel that is run over them, or write an array of objects");
+}
+
+TEST_F(Steps, refuse_an_array_that_was_not_added_where_a_number_was_before) {
+  cut(true);
+  HaloSteps steps(arrays, true);
+  const std::string name = "Known";
+  const auto run = [&](const KernelView& numbers) {
+    const HaloSteps::Kernel kernel{&name, {of(positions.const_view()), numbers}};
+    return message_of([&] {
+      (void)steps.begin(std::span(&kernel, 1), 100, HaloSteps::Way::run);
+      steps.end();
+    });
+  };
+  elasticity::NodeForceArray<double> number(1), others(100);
+  EXPECT_EQ(run(of(number.const_view())), "accepted");
+  EXPECT_EQ(
+      run(of(others.const_view())),
+      "physgen: Known uses an array of 100 elasticity::NodeForce that is none of the distributed arrays; add() it "
+      "before cut()");
+}
+
 }  // namespace
 }  // namespace physgen

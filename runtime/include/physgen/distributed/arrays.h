@@ -79,16 +79,16 @@ class DistributedArrays : public Partition {
   [[nodiscard]] const index_t* global_numbers(const Array& array) {
     return Partition::global_numbers(number_of_this(array));
   }
-  /// Every object of an array, owned or a ghost: value(global number) gives the array's Value.
+  /// Every object of an array, owned or a ghost: value(global number) gives the array's Value. Connected fields stay as
+  /// they are.
   template <class Array, class Value>
     requires std::invocable<const Value&, index_t>
   void fill(Array& array, const Value& value) {
     const LocalSet& objects = objects_of(array);
-    detail::edit_on_host(array, [&](auto& here) {
+    fill_on_host(array, [&](auto& here) {
       const auto view = here.view();
       for (index_t i = objects.first(); i < objects.last(); ++i) view.put(i, value(objects.global(i)));
     });
-    set_fresh(number_of_this(array), true);
   }
   /// The same from an array of all objects, in any layout, precision and formats.
   /// @throw Error when it has another number of objects
@@ -96,16 +96,19 @@ class DistributedArrays : public Partition {
     requires detail::SameObject<Array, Whole>
   void fill(Array& array, const Whole& whole);
   /// The caller has written objects of an array that this rank owns, outside of the program's steps. All ranks call it.
+  /// @throw Error when it has entries of rows
   template <class Array>
   void owned_changed(const Array& array) {
     set_fresh(number_of_this(array), false);
   }
   /// Calls body(first, view) on rank 0, with the objects first .. first + view.size() - 1 of all ranks, in ascending
-  /// order; on other ranks, which call this too, it is not called.
+  /// order; on other ranks, which call this too, it is not called. Connected fields have global numbers.
   /// @param most bytes that rank 0 holds at once, or one block
+  /// @throw Error when a connected field has none, as those of rows
   template <class Array, class Body>
   void each_block(const Array& array, const Body& body, index_t most = index_t{64} << 20);
   /// On rank 0 an array of all objects, on other ranks, which call this too, one of none; in the host's memory.
+  /// As each_block() gives it.
   template <class Array>
   [[nodiscard]] detail::OnHost<Array> whole(const Array& array) {
     detail::OnHost<Array> all(ranks().is_first() ? objects_of(array).runs().size() : 0);
@@ -118,6 +121,16 @@ class DistributedArrays : public Partition {
   template <class Array>
   [[nodiscard]] int number_of_this(const Array& array) const {
     return number_by_memory(&array, array.untyped().base);
+  }
+  template <class Array, class Edit>
+  void fill_on_host(Array& array, const Edit& edit) {
+    const int number = number_of_this(array);
+    detail::edit_on_host(array, [&](auto& here) {
+      const std::vector<std::int32_t> kept = index_numbers(number, here.untyped());
+      edit(here);
+      put_index_numbers(number, here.untyped(), kept);
+    });
+    set_fresh(number, true);
   }
   [[nodiscard]] std::vector<index_t> local_numbers(const LocalSet& set, index_t begin, index_t end) const {
     std::vector<index_t> numbers(static_cast<std::size_t>(end - begin));
@@ -138,9 +151,7 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
   for (index_t i = objects.first(); i < objects.last(); ++i) numbers.push_back(objects.global(i));
   const auto& same = detail::in_form_of<detail::OnHost<Array>>(whole);
   const detail::Numbers order(numbers, {});
-  detail::edit_on_host(array,
-                       [&](auto& here) { detail::pick(here.untyped(), objects.first(), same.untyped(), &order); });
-  set_fresh(number_of_this(array), true);
+  fill_on_host(array, [&](auto& here) { detail::pick(here.untyped(), objects.first(), same.untyped(), &order); });
 }
 
 template <class Ranges, class Entries, class Row, class Which>
@@ -198,6 +209,8 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
 
 template <class Array, class Body>
 void DistributedArrays::each_block(const Array& array, const Body& body, index_t most) {
+  const int number = number_of_this(array);
+  require_global_numbers(number);
   const LocalSet& objects = objects_of(array);
   const index_t all = objects.runs().size();
   detail::wait_for_device(Array::Space::kind);
@@ -216,6 +229,7 @@ void DistributedArrays::each_block(const Array& array, const Body& body, index_t
         const std::vector<index_t> numbers = local_numbers(objects, begin, end);
         const detail::Numbers order(numbers, {});
         detail::pick(piece.untyped(), 0, here.untyped(), &order);
+        to_global_numbers(number, piece.untyped());
       }
       const UntypedArray memory = piece.untyped();
       to_first(owner, {memory.base, static_cast<std::size_t>(memory.bytes())});

@@ -137,6 +137,14 @@ class Partition {
   /// Of a global number; -1 where it is not here. @throw Error when the set has no such object
   [[nodiscard]] std::int32_t local_number(int set, index_t number, const std::string& of) const;
   [[nodiscard]] static std::int32_t* index_at(const UntypedArray& array, std::string_view field, index_t object, int k);
+  /// The numbers in the connected fields of an array, which keep them while others are filled.
+  /// @param memory of all that is here, where the host reaches it
+  [[nodiscard]] std::vector<std::int32_t> index_numbers(int array, const UntypedArray& memory) const;
+  void put_index_numbers(int array, const UntypedArray& memory, const std::vector<std::int32_t>& numbers) const;
+  /// @throw Error when connected fields of an array have no numbers that all ranks know
+  void require_global_numbers(int array) const;
+  /// Those in the connected fields of owned objects become global ones. @param memory of a copy of such objects
+  void to_global_numbers(int array, const UntypedArray& memory) const;
   /// Takes an owner's bytes to rank 0.
   void to_first(int owner, std::span<std::byte> bytes) const;
 
