@@ -48,7 +48,7 @@ class ProbeArray {
 namespace detail {
 
 template <class Of, class Formats>
-struct ArrayStoredAs;  // scenes/scene_arrays.h
+struct ArrayStoredAs;  // detail/array_stored_as.h
 
 template <class Object, class Real, class Layout, class Formats, class Space, class Others>
 struct ArrayStoredAs<ProbeArray<Object, Real, Layout, Formats, Space>, Others> {

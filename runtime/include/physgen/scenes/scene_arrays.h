@@ -2,6 +2,7 @@
 // one record for all objects, and fields that begin as signalling NaN in checked builds.
 #pragma once
 
+#include <physgen/detail/array_stored_as.h>
 #include <physgen/layout/uniform.h>
 #include <physgen/runtime.h>
 
@@ -13,15 +14,6 @@
 #include <vector>
 
 namespace physgen {
-
-namespace detail {
-
-template <class Of, class Formats>
-struct ArrayStoredAs {
-  using type = Array<typename Of::Object, typename Of::Precision, typename Of::Space, typename Of::Layout, Formats>;
-};
-
-}  // namespace detail
 
 /// The same array, with its fields stored as Formats says. A ProbeArray is the same for all formats.
 template <class Of, class Formats>
