@@ -6,7 +6,7 @@
 namespace physgen {
 
 /// A member of kernels. On several ranks an object has a number by which a kernel finds it, object_number(i), and one
-/// that it has on all ranks, which this gives.
+/// that it has on all ranks, which this gives. In a kernel of a part it is of(object_of_part(first, i)).
 struct ObjectNumbers {
   const index_t* global = nullptr;  ///< by number; null where both are the same
 

@@ -180,15 +180,15 @@ class DistributedExecutor<On> {
 
  private:
   /// Runs a round: as a graph, where one has been recorded that fits, and else step by step. Behind a round that leaves
-  /// the same fields fresh as it found, the next one is recorded.
+  /// the same fields fresh and the same arrays in place as it found, the next one is recorded.
   template <class Round>
   void run_round(cuda::RecordedRound& recorded, const Round& round) {
     Transport& transport = *crossing_.transport;
     if (loops_on_host_ || !transport.can_be_captured()) return round();
-    const cuda::RecordedRound::Freshness before = cuda::RecordedRound::freshness_of(arrays_);
+    const cuda::RecordedRound::State before = cuda::RecordedRound::state_of(arrays_);
     if (recorded.fits(before)) return recorded.replay(stream(), transport);
     round();
-    if (!recorded.is_recorded() && cuda::RecordedRound::freshness_of(arrays_) == before) {
+    if (!recorded.is_recorded() && cuda::RecordedRound::state_of(arrays_) == before) {
       recorded.record(stream(), arrays_, transport, round);
     }
   }

@@ -4,13 +4,14 @@
 #include <physgen/cuda/check.h>
 #include <physgen/distributed/partition.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace physgen::cuda {
 
-/// What crosses in a round depends on which fields of ghosts are fresh before it. A round is recorded that leaves them
-/// fresh as they were, and replayed where they are so.
+/// What crosses in a round depends on which fields of ghosts are fresh before it, and a graph holds the addresses of
+/// arrays. A round is recorded that leaves both as they were, and replayed where they are so.
 class RecordedRound {
  public:
   RecordedRound() = default;
@@ -25,25 +26,29 @@ class RecordedRound {
     if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
   }
 
-  /// Of each array and field, whether ghosts have their owners' values.
-  using Freshness = std::vector<char>;
-  [[nodiscard]] static Freshness freshness_of(const Partition& arrays) {
-    Freshness all;
+  struct State {
+    std::vector<char> is_fresh;            ///< of each array and field: ghosts have their owners' values
+    std::vector<const std::byte*> memory;  ///< of each array, which a program may swap
+    bool operator==(const State&) const = default;
+  };
+  [[nodiscard]] static State state_of(const Partition& arrays) {
+    State state;
     for (const DistributedArray& array : arrays.arrays()) {
-      all.insert(all.end(), array.is_fresh.begin(), array.is_fresh.end());
+      state.is_fresh.insert(state.is_fresh.end(), array.is_fresh.begin(), array.is_fresh.end());
+      state.memory.push_back(array.untyped().base);
     }
-    return all;
+    return state;
   }
 
   [[nodiscard]] bool is_recorded() const { return graph_ != nullptr; }
-  [[nodiscard]] bool fits(const Freshness& freshness) const { return is_recorded() && freshness_ == freshness; }
+  [[nodiscard]] bool fits(const State& state) const { return is_recorded() && state_ == state; }
 
   /// Records what round() orders in `stream`, and runs nothing.
   /// @pre a round that began as this one does has been run: it connected ranks and took all memory that it needs
   /// @throw Error when a step waits or allocates, which a graph cannot hold
   template <class Round>
   void record(Stream stream, const Partition& arrays, Transport& transport, const Round& round) {
-    freshness_ = freshness_of(arrays);
+    state_ = state_of(arrays);
     const Traffic before = transport.traffic();
     cudaGraph_t graph = nullptr;
     check(cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal), "recording a loop");
@@ -69,12 +74,12 @@ class RecordedRound {
  private:
   void swap(RecordedRound& other) noexcept {
     std::swap(graph_, other.graph_);
-    std::swap(freshness_, other.freshness_);
+    std::swap(state_, other.state_);
     std::swap(traffic_, other.traffic_);
   }
 
   cudaGraphExec_t graph_ = nullptr;
-  Freshness freshness_;
+  State state_;      ///< before it
   Traffic traffic_;  ///< of a round
 };
 
