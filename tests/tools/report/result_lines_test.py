@@ -56,6 +56,8 @@ class ResultLinesTest(unittest.TestCase):
     def test_other_spellings_of_numbers_and_blanks_have_the_form_too(self):
         self.assertTrue(result_lines.is_formed(TEXT))
         self.assertTrue(result_lines.is_formed(TEXT.replace("1.0", "1.000e+00").replace("\n ", "\n     ")))
+        self.assertTrue(result_lines.is_formed('{\n "caches": [\n ]\n}\n'))  # of a machine whose caches are not known
+        self.assertTrue(result_lines.is_formed('{\n "caches": []\n}\n'))
 
     def test_other_lines_do_not_have_the_form(self):
         for other in (TEXT.replace(', "steps"', ',\n"steps"'), TEXT.replace("},\n  {", "}, {"), json.dumps(CONTENT)):
