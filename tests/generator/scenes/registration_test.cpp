@@ -263,7 +263,6 @@ level.smoother.largest
 level.smoother.length
 patches.tangent.g
 patches.tangent.k
-patches.tet_patches.patch
 )");
 }
 
