@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -34,20 +35,37 @@ index_t memory_limit() {
 }
 
 // Linux grants more than it has and kills the process that then touches it, so more than there can be is refused.
-std::byte* allocate_host(index_t bytes, std::string& why) {
+bool can_exist(index_t bytes, std::string& why) {
   static const index_t limit = memory_limit();
-  if (bytes > limit) {
-    why = "this machine has only " + std::to_string(limit) + " bytes";
-    return nullptr;
-  }
-  const bool large = bytes >= 4 * huge_page;
-  const auto size = static_cast<std::size_t>(large ? align_up(bytes, huge_page) : bytes);
+  if (bytes > limit) why = "this machine has only " + std::to_string(limit) + " bytes";
+  return bytes <= limit;
+}
+// Has the system hand out memory now, to several threads, in huge pages where it grants them: when a thread touches it
+// first, it is interrupted for each page, and two that touch one huge page both wait. A wish: nothing is lost without
+// it.
+void hand_out(std::byte* data, std::size_t size) {
+  madvise(data, size, MADV_HUGEPAGE);
+#ifdef MADV_POPULATE_WRITE
+  constexpr auto part = static_cast<std::size_t>(huge_page);
+  detail::for_each_index<8192>(0, static_cast<index_t>((size + part - 1) / part), [=](index_t p) {
+    const std::size_t begin = static_cast<std::size_t>(p) * part;
+    madvise(data + begin, std::min(part, size - begin), MADV_POPULATE_WRITE);
+  });
+#endif
+}
+
+constexpr const char* none_free = "the system does not have so much free memory";
+
+std::byte* allocate_host(index_t bytes, std::string& why) {
+  if (!can_exist(bytes, why)) return nullptr;
+  const bool large = bytes >= huge_page;
+  const auto size = static_cast<std::size_t>(bytes);
   void* data = std::aligned_alloc(static_cast<std::size_t>(large ? huge_page : buffer_alignment), size);
   if (data == nullptr) {
-    why = "the system does not have so much free memory";
+    why = none_free;
     return nullptr;
   }
-  if (large) madvise(data, size, MADV_HUGEPAGE);  // a wish: nothing is lost where the system does not grant it
+  if (large) hand_out(static_cast<std::byte*>(data), size);
   return static_cast<std::byte*>(data);
 }
 
@@ -59,6 +77,39 @@ void clear(std::byte* data, index_t bytes) {
   });
 }
 
+// A large buffer has pages of its own: the system clears them when it hands them out, and no thread has to do so again.
+bool has_own_pages(index_t bytes) { return bytes >= huge_page; }
+
+std::size_t size_of_pages(index_t bytes) {
+  static const index_t page = sysconf(_SC_PAGESIZE);
+  return static_cast<std::size_t>(align_up(bytes, page));
+}
+
+// From a huge page on.
+std::byte* take_pages(index_t bytes, std::string& why) {
+  if (!can_exist(bytes, why)) return nullptr;
+  constexpr auto alignment = static_cast<std::size_t>(huge_page);
+  const std::size_t size = size_of_pages(bytes);
+  void* const all = mmap(nullptr, size + alignment, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (all == MAP_FAILED) {
+    why = none_free;
+    return nullptr;
+  }
+  const std::size_t before = (alignment - reinterpret_cast<std::uintptr_t>(all) % alignment) % alignment;
+  std::byte* const data = static_cast<std::byte*>(all) + before;
+  if (before > 0) munmap(all, before);
+  munmap(data + size, alignment - before);
+  hand_out(data, size);
+  return data;
+}
+
+std::byte* allocate_clear(index_t bytes, std::string& why) {
+  if (has_own_pages(bytes)) return take_pages(bytes, why);
+  std::byte* const data = allocate_host(bytes, why);
+  if (data != nullptr) clear(data, bytes);
+  return data;
+}
+
 }  // namespace
 
 Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_(bytes), space_(space) {
@@ -66,12 +117,11 @@ Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_
   if (bytes == 0) return;
   std::string why;
   const index_t rounded = align_up(bytes, buffer_alignment);
-  data_ = space == SpaceKind::host ? allocate_host(rounded, why) : backend::allocate(space, rounded, why);
+  data_ = space == SpaceKind::host ? allocate_clear(rounded, why) : backend::allocate(space, rounded, why);
   if (data_ == nullptr) {
     throw MemoryError(what + ": cannot allocate " + std::to_string(bytes) + " bytes of " + name(space) +
                       " memory: " + why);
   }
-  if (space == SpaceKind::host) clear(data_, rounded);
 }
 
 namespace detail {
@@ -108,10 +158,12 @@ void copy_memory(std::byte* to, SpaceKind to_space, const std::byte* from, Space
 
 Buffer::~Buffer() {
   if (data_ == nullptr) return;
-  if (space_ == SpaceKind::host) {
-    std::free(data_);
-  } else {
+  if (space_ != SpaceKind::host) {
     backend::deallocate(space_, data_);
+  } else if (const index_t rounded = align_up(bytes_, buffer_alignment); has_own_pages(rounded)) {
+    munmap(data_, size_of_pages(rounded));
+  } else {
+    std::free(data_);
   }
 }
 

@@ -173,8 +173,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   GivenMesh given = read_mesh(options, notes);
   bring_into_order(given, options);
   const Scene scene = make_case_scene(options, std::move(given));
-  const std::vector<LevelCounts> counts = count_levels(scene.levels);
-  require_mesh_fits(counts);
+  const std::vector<LevelCounts> counts = count_mesh(scene.levels, options);
   notes.insert(notes.end(), options.notes.begin(), options.notes.end());
   for (std::string& note : adapt_solver(options, scene, counts)) notes.push_back(std::move(note));
   adapt_smoother(options, scene);

@@ -21,8 +21,10 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
   terminal.line("solver: %lld bytes, %.0f per node and %.0f per tet of the finest level",
                 static_cast<long long>(bytes.solver), total / static_cast<double>(levels.front().nodes),
                 total / static_cast<double>(levels.front().tets));
-  terminal.line("set-up: %s more on the host; this machine has %s", gigabytes(bytes.lists).c_str(),
-                gigabytes(host_memory()).c_str());
+  std::int64_t meshes = 0;
+  for (const LevelCounts& level : levels) meshes += bytes_of_mesh(level);
+  terminal.line("set-up: %s more on the host, of which %s of meshes stay; this machine has %s",
+                gigabytes(bytes.lists).c_str(), gigabytes(meshes).c_str(), gigabytes(host_memory()).c_str());
   if (options.solver.device == fem::Device::cuda) {
     try {
       terminal.line("GPU: %s free", gigabytes(cuda_memory()).c_str());

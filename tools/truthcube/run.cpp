@@ -77,8 +77,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     scene.refinements = options.refinements;
   }
   const std::vector<LevelCounts> counts =
-      options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
-  if (!options.is_cube()) require_mesh_fits(counts);
+      options.is_cube() ? count_cube(options.cells, options.volume) : count_mesh(scene.levels, options);
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);

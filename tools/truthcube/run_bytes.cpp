@@ -26,8 +26,8 @@ std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser, bo
   if (!edges) return c.nodes + (coarser == nullptr ? 0 : 2 * index_bytes * c.nodes);
   const std::int64_t bytes = 2 * index_bytes * c.edges + bytes_of_list(c.nodes, 2 * c.edges) + c.nodes;
   if (coarser == nullptr) return bytes;
-  return bytes + bytes_of_parents(c) + bytes_of_list(coarser->nodes, c.children) +
-         bytes_of_list(coarser->edges, c.edge_terms);
+  // Terms of coarse blocks are written into the solver's arrays; of their list there are the rows.
+  return bytes + bytes_of_parents(c) + bytes_of_list(coarser->nodes, c.children) + bytes_of_list(coarser->edges, 0);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
   });
   std::int64_t parts = bytes_of_list(finest.nodes, finest.node_patches);
   if (assembled) {
-    parts += bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches);
+    parts += bytes_of_list(finest.edges, 0) + bytes_of_list(finest.edges, finest.edge_patches);  // tets: the mesh's
   }
   if (finest.ring_nodes > 0) parts += index_bytes * (finest.nodes + 1 + finest.ring_nodes);
   bytes.lists += std::max(graphs, edges + parts);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace physgen::truthcube {
 
@@ -82,6 +84,16 @@ std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume, const Sma
 std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume) {
   return cells <= most_made(volume) ? count_levels(make_levels(cells, volume, 2))
                                     : count_cube(cells, volume, count_small_cubes(volume));
+}
+
+std::vector<LevelCounts> count_mesh(const std::vector<fem::MeshLevel>& levels, Options& options) {
+  std::vector<fem::LevelGraph> graphs = fem::make_counted_graphs(levels);
+  std::vector<LevelCounts> counts = count_levels(levels, graphs);
+  require_mesh_fits(counts);
+  const bool are_wanted = !options.dry_run && options.scene != SceneKind::explicit_dynamics &&
+                          options.solver.newton.product == fem::Product::assembled;
+  if (are_wanted) options.solver.graphs = std::make_shared<std::vector<fem::LevelGraph>>(std::move(graphs));
+  return counts;
 }
 
 std::int64_t largest_number(const std::vector<LevelCounts>& levels) {

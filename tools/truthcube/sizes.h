@@ -24,6 +24,11 @@ using fem::LevelCounts;
 /// 32 bits must hold it.
 [[nodiscard]] std::int64_t largest_number(const std::vector<LevelCounts>& levels);
 
+/// Counts of the levels of a mesh. The graphs that it makes for that become those of the solver's settings, so that the
+/// solver makes no others, unless the run has no use for them.
+/// @throw Error as require_mesh_fits()
+[[nodiscard]] std::vector<LevelCounts> count_mesh(const std::vector<fem::MeshLevel>& levels, Options& options);
+
 /// @throw Error when numbers of 32 bits do not reach for the levels of a mesh
 void require_mesh_fits(const std::vector<LevelCounts>& levels);
 

@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace physgen::fem {
+
+struct LevelGraph;
 
 /// The reason for which conjugate gradients ended.
 enum class LinearStatus {
@@ -128,6 +131,9 @@ struct SolverSettings {
   /// Called once while a solver is made, when the host's lists are ready and before the device is used first: a program
   /// that makes the device's context on another thread waits for it here. What it throws ends the making.
   std::function<void()> before_device = {};
+  /// Graphs of the levels that the solver is given, as make_counted_graphs() makes them, where a program has counted
+  /// their entries: the solver takes them, once, and makes none of its own. Levels must not change in between.
+  std::shared_ptr<std::vector<LevelGraph>> graphs = {};
 };
 
 /// Those of each material: one or more.

@@ -2,6 +2,7 @@
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/galerkin_terms.h>
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
 #include <algorithm>
@@ -10,7 +11,9 @@
 #include <utility>
 #include <vector>
 
-namespace physgen::fem::detail {
+namespace physgen::fem {
+
+namespace detail {
 
 namespace {
 
@@ -34,19 +37,20 @@ void each_child(const LevelGraph& fine, Index coarse, const Act& act) {
   }
 }
 
-// The edges of a node that have it as this side.
+// The lower ends of a node's edges to lower nodes, which come first among its edges.
 template <class Act>
-void each_edge(const LevelGraph& fine, Index node, Index side, const Act& act) {
+void each_lower_end(const LevelGraph& fine, Index node, const Act& act) {
   for (Index k = fine.node_edges.first[at(node)]; k < fine.node_edges.first[at(node) + 1]; ++k) {
-    const auto [edge, own] = fine.node_edges.entries[at(k)];
-    if (own == side) act(edge);
+    const auto [edge, side] = fine.node_edges.entries[at(k)];
+    if (side == 0) return;
+    act(fine.edges[at(edge)][0]);
   }
 }
 
 // The lower ends of the edges of a coarse node's children. A thread that finds them for many has one of these.
 class LowerEnds {
  public:
-  explicit LowerEnds(Index fine_nodes) : of_(at(fine_nodes), none) {}
+  explicit LowerEnds(Index fine_nodes) : of_(at(fine_nodes), none), child_of_(at(fine_nodes), none) {}
 
   // Ascending. @param coarse another one each time. @param at_child called for each child, ascending
   template <class AtChild>
@@ -54,35 +58,41 @@ class LowerEnds {
     nodes_.clear();
     each_child(fine, coarse, [&](Index child) {
       at_child(child);
+      child_of_[at(child)] = coarse;
       add(coarse, child);
-      each_edge(fine, child, 1, [&](Index edge) { add(coarse, fine.edges[at(edge)][0]); });
+      each_lower_end(fine, child, [&](Index node) { add(coarse, node); });
     });
     sort_row(nodes_.data(), nodes_.data() + nodes_.size());
     return nodes_;
   }
+  // @pre it was the last that find() was called for
+  [[nodiscard]] bool is_child(Index node, Index coarse) const { return child_of_[at(node)] == coarse; }
 
  private:
   void add(Index coarse, Index node) {
     if (std::exchange(of_[at(node)], coarse) != coarse) nodes_.push_back(node);
   }
 
-  std::vector<Index> of_, nodes_;
+  std::vector<Index> of_, child_of_, nodes_;
 };
 
 // Calls act(other, element, code) for all terms of a coarse node: those of fine nodes, and then those of fine edges,
 // both ascending, each edge once. `other` is any node, or `none`.
+// @param first_higher per fine node: the first of its edges to higher nodes
 template <class Terms, class Act>
-void each_term(const LevelGraph& fine, const Terms& terms, Index coarse, LowerEnds& ends, const Act& act) {
+void each_term(const LevelGraph& fine, std::span<const Index> first_higher, const Terms& terms, Index coarse,
+               LowerEnds& ends, const Act& act) {
   const auto lower = ends.find(fine, coarse, [&](Index child) {
     terms.of_node(coarse, child, [&](Index other, Index code) { act(other, child, code); });
   });
   for (const Index a : lower) {
-    const bool is_child = terms.is_child(a, coarse);
-    each_edge(fine, a, 0, [&](Index edge) {
+    const bool from_a = ends.is_child(a, coarse);
+    for (Index edge = first_higher[at(a)]; edge < first_higher[at(a) + 1]; ++edge) {
       const Index b = fine.edges[at(edge)][1];
-      if (!is_child && !terms.is_child(b, coarse)) return;
-      terms.of_edge(coarse, a, b, [&](Index other, Index code) { act(other, edge, code); });
-    });
+      const bool from_b = ends.is_child(b, coarse);
+      if (!from_a && !from_b) continue;
+      terms.of_edge(coarse, {a, from_a}, {b, from_b}, [&](Index other, Index code) { act(other, edge, code); });
+    }
   }
 }
 
@@ -156,9 +166,10 @@ CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes) {
                each_child(fine, node, [&](Index child) { counts.add(node, child, own.counts); });
              });
     } else {
+      const HostList<Index> first_higher = first_edges(fine.nodes, fine.edges);
       append([&] { return Scratch{TermCounts(coarse_nodes), LowerEnds(fine.nodes)}; },
              [&](Index node, Scratch& own) {
-               each_term(fine, terms, node, own.ends,
+               each_term(fine, first_higher, terms, node, own.ends,
                          [&](Index other, Index /*element*/, Index /*code*/) { own.counts.add(other); });
              });
     }
@@ -168,42 +179,52 @@ CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes) {
   return found;
 }
 
-IncidenceList coarse_terms(const LevelGraph& fine, const CoarsePairs& pairs, const LevelGraph& coarse) {
+HostList<Index> rows_of_terms(const CoarsePairs& pairs, const LevelGraph& coarse) {
   InStage stage("terms of coarse blocks");
   const HostList<Index> first = first_edges(coarse.nodes, coarse.edges);
-  IncidenceList list;
-  list.first.resize(coarse.edges.size() + 1);
-  list.first.back() = 0;
+  HostList<Index> rows(coarse.edges.size() + 1);
+  rows.back() = 0;
   for_each_index<8>(0, coarse.nodes, [&](index_t node) {
     Index pair = pairs.first[at(node)];
     const Index end = pairs.first[at(node) + 1];
     for (Index e = first[at(node)]; e < first[at(node) + 1]; ++e) {
       const bool is_pair = pair < end && pairs.pairs[at(pair)].other == coarse.edges[at(e)][1];
-      list.first[at(e)] = is_pair ? pairs.pairs[at(pair++)].terms : 0;
+      rows[at(e)] = is_pair ? pairs.pairs[at(pair++)].terms : 0;
     }
   });
-  list.entries.resize(at(exclusive_scan(Host{}, std::span(list.first))));
+  (void)exclusive_scan(Host{}, std::span(rows));
+  stage.moves(coarse.edges, pairs.pairs, rows);
+  return rows;
+}
+
+}  // namespace detail
+
+void each_edge_terms(const LevelGraph& fine, const LevelGraph& coarse, const PutTerms& put) {
+  using namespace detail;
+  InStage stage("terms of coarse blocks");
+  const HostList<Index> first = first_edges(coarse.nodes, coarse.edges);
+  const HostList<Index> first_higher = first_edges(fine.nodes, fine.edges);
+  const HostList<Index>& rows = fine.edge_terms.first;
   with_terms(fine, [&](const auto& terms) {
     each_node(
         coarse.nodes, [&] { return TermsOfNode{std::vector<Index>(at(coarse.nodes) + 1), LowerEnds(fine.nodes), {}}; },
         [&](Index node, TermsOfNode& own) {
-          const Index from = first[at(node)], to = first[at(node) + 1], begin = list.first[at(from)];
-          own.terms.resize(at(list.first[at(to)] - begin) + 1);
+          const Index from = first[at(node)], to = first[at(node) + 1], begin = rows[at(from)];
+          own.terms.resize(at(rows[at(to)] - begin) + 1);
           for (Index e = from; e < to; ++e) {
-            own.places[at(coarse.edges[at(e)][1]) + 1] = list.first[at(e)] - begin + 1;
+            own.places[at(coarse.edges[at(e)][1]) + 1] = rows[at(e)] - begin + 1;
           }
-          each_term(fine, terms, node, own.ends, [&](Index other, Index element, Index code) {
+          each_term(fine, first_higher, terms, node, own.ends, [&](Index other, Index element, Index code) {
             Index& place = own.places[at(index_t{other} + 1)];
             const bool is_higher = other > node;
             own.terms[at(is_higher ? place : 0)] = {element, code};
             place += is_higher ? 1 : 0;
           });
-          std::copy(own.terms.begin() + 1, own.terms.end(), list.entries.begin() + begin);
+          put(begin, std::span(own.terms).subspan(1));
         });
   });
   stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents, coarse.edges,
-              pairs.pairs, list.first, list.entries);
-  return list;
+              rows);
 }
 
-}  // namespace physgen::fem::detail
+}  // namespace physgen::fem

@@ -18,8 +18,9 @@ struct CoarsePairs {
 /// @pre the level has its edges and its children
 [[nodiscard]] CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes);
 
-/// The terms of each coarse edge: first those of fine nodes, then those of fine edges, both ascending.
+/// Where the terms of each coarse edge begin, and the last ones end.
 /// @pre the coarser level has its edges, `pairs` among them
-[[nodiscard]] IncidenceList coarse_terms(const LevelGraph& fine, const CoarsePairs& pairs, const LevelGraph& coarse);
+/// @throw Error when there are more than 2^31 - 1
+[[nodiscard]] HostList<Index> rows_of_terms(const CoarsePairs& pairs, const LevelGraph& coarse);
 
 }  // namespace physgen::fem::detail

@@ -17,14 +17,17 @@ inline constexpr Index none = -1;  ///< no node
 /// IncidenceEntry::local of a term.
 inline Index code(GalerkinBlock kind, int quarters) { return static_cast<Index>(galerkin_code(kind, quarters)); }
 
+/// An end of a fine edge, and whether it is a child of the coarse node whose terms are found.
+struct EdgeEnd {
+  Index node;
+  bool is_child;
+};
+
 /// Nested meshes: a node has one parent, or two with a half each.
 class NestedTerms {
  public:
   explicit NestedTerms(const LevelGraph& fine) : parents_(fine.parents) {}
 
-  [[nodiscard]] bool is_child(Index node, Index coarse) const {
-    return parents_[at(node)][0] == coarse || parents_[at(node)][1] == coarse;
-  }
   /// Calls act(other, code) for the terms of a child with other nodes, higher and lower ones.
   template <class Act>
   void of_node(Index coarse, Index child, const Act& act) const {
@@ -33,8 +36,8 @@ class NestedTerms {
   }
   /// The same for the terms of the edge between a and b, one of them a child or both; maybe for the node itself, too.
   template <class Act>
-  void of_edge(Index coarse, Index a, Index b, const Act& act) const {
-    const auto &of_a = parents_[at(a)], &of_b = parents_[at(b)];
+  void of_edge(Index coarse, EdgeEnd a, EdgeEnd b, const Act& act) const {
+    const auto &of_a = parents_[at(a.node)], &of_b = parents_[at(b.node)];
     const std::size_t count_a = of_a[0] == of_a[1] ? 1 : 2, count_b = of_b[0] == of_b[1] ? 1 : 2;
     const int quarters = 4 / static_cast<int>(count_a * count_b);
     for (std::size_t i = 0; i < count_a; ++i) {
@@ -72,17 +75,15 @@ class GridTerms {
     for (const Index parent : parents) found |= parent == node;  // without branches
     return found;
   }
-  [[nodiscard]] bool is_child(Index node, Index coarse) const { return is_among(parents_[at(node)], coarse); }
   template <class Act>
   void of_node(Index /*coarse*/, Index child, const Act& act) const {
     for (const Index other : parents_[at(child)]) act(other, code(GalerkinBlock::node, 1));
   }
   template <class Act>
-  void of_edge(Index coarse, Index a, Index b, const Act& act) const {
-    const Parents &of_a = parents_[at(a)], &of_b = parents_[at(b)];
-    const bool from_a = is_among(of_a, coarse), from_b = is_among(of_b, coarse);
-    for (const Index other : from_a ? of_b : of_a) act(other, code(GalerkinBlock::edge, 1));
-    if (!from_a || !from_b) return;
+  void of_edge(Index /*coarse*/, EdgeEnd a, EdgeEnd b, const Act& act) const {
+    const Parents &of_a = parents_[at(a.node)], &of_b = parents_[at(b.node)];
+    for (const Index other : a.is_child ? of_b : of_a) act(other, code(GalerkinBlock::edge, 1));
+    if (!a.is_child || !b.is_child) return;
     for (const Index other : of_a) act(is_among(of_b, other) ? none : other, code(GalerkinBlock::edge, 1));
   }
 

@@ -1,8 +1,6 @@
 #include <fem/mesh/refine.h>
 #include <fem/mesh/stages.h>
-#include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/hierarchy.h>
-#include <fem/solver/hierarchy/level_graphs.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
 #include <cmath>
@@ -32,13 +30,6 @@ double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest) {
   return std::cbrt(six_volumes / double(mesh.tets.size()));
 }
 
-std::vector<LevelGraph> make_level_graphs(std::span<const MeshLevel> levels, bool edges) {
-  return detail::make_graphs(levels, edges,
-                             [](std::size_t l, std::vector<LevelGraph>& graphs, const detail::CoarsePairs& of_finer) {
-                               graphs[l - 1].edge_terms = detail::coarse_terms(graphs[l - 1], of_finer, graphs[l]);
-                             });
-}
-
 EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
   InStage stage("tets and patches of edges");
   EdgeParts parts;
@@ -55,8 +46,7 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
       if (e < own[at(node) + 1] && level.mesh.edges[at(e)] == graph.edges[at(k)]) ++e;
     }
   });
-  stage.moves(level.mesh.edges, graph.edges, level.mesh.edge_tets.entries, parts.edge_tets.entries,
-              parts.edge_tets.first);
+  stage.moves(level.mesh.edges, graph.edges, level.mesh.edge_tets.first, parts.edge_tets.first);
   const VolumePatches& patches = level.patches;
   if (patches.nodes.empty()) {
     parts.edge_patches.first.resize(graph.edges.size() + 1);

@@ -5,6 +5,7 @@
 #include <fem/solver/hierarchy/level_graph.h>
 #include <fem/solver/mesh_level.h>
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,14 @@ inline constexpr Index most_coarse_nodes = 125;
 /// The side of a cube as large as the six tets that a node has on average: about the distance of neighbours [m].
 [[nodiscard]] double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest);
 
+/// Rows of a graph over entries that a mesh has.
+struct MeshRows {
+  HostList<Index> first;
+  std::span<const IncidenceEntry> entries;
+};
 /// The terms of the edges of the finest level, or of any level on which equilibrium is solved.
 struct EdgeParts {
-  IncidenceList edge_tets;     ///< per edge: tet, local edge + 6 if it runs from n to m
+  MeshRows edge_tets;          ///< per edge: tet, local edge + 6 if it runs from n to m
   IncidenceList edge_patches;  ///< per edge: patch, slot of m + 8 slot of n
 };
 
@@ -27,7 +33,16 @@ struct EdgeParts {
 /// @throw Error when parents do not fit the coarser mesh, sizes differ, or a list would exceed 2^31 entries
 [[nodiscard]] std::vector<LevelGraph> make_level_graphs(std::span<const MeshLevel> levels, bool edges = true);
 
-/// @pre the graph is that of the mesh
+/// The same but the entries of LevelGraph::edge_terms, the longest lists of all, which can be counted by their rows.
+[[nodiscard]] std::vector<LevelGraph> make_counted_graphs(std::span<const MeshLevel> levels, bool edges = true);
+
+/// Takes the terms that stand from entry `begin` of LevelGraph::edge_terms on. It is called from several threads.
+using PutTerms = std::function<void(Index begin, std::span<const IncidenceEntry> terms)>;
+/// Finds all entries of fine.edge_terms, of each row first those of fine nodes and then those of fine edges, both
+/// ascending. @pre the rows are known
+void each_edge_terms(const LevelGraph& fine, const LevelGraph& coarse, const PutTerms& put);
+
+/// @pre the graph is that of the mesh, which lives as long as its parts are used
 [[nodiscard]] EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph);
 
 /// Per node: patch, slot.

@@ -1,5 +1,4 @@
 #include <fem/solver/hierarchy/level_counts.h>
-#include <fem/solver/hierarchy/level_graphs.h>
 
 #include <numeric>
 
@@ -18,7 +17,7 @@ GraphCounts counts_of(const LevelGraph& graph) {
   return {graph.nodes,
           size_of(graph.edges),
           size_of(graph.children.entries),
-          size_of(graph.edge_terms.entries),
+          graph.edge_terms.first.empty() ? 0 : graph.edge_terms.first.back(),
           size_of(graph.grid_parents),
           graph.is_grid};
 }
@@ -36,19 +35,14 @@ LevelCounts counts_of(const MeshLevel& level, const LevelGraph& graph) {
   return counts;
 }
 
-// The terms of coarse blocks, the longest lists of all, are counted and not made.
-std::vector<LevelCounts> count_levels(const std::vector<MeshLevel>& levels) {
-  std::vector<std::int64_t> terms(levels.size());
-  const auto count = [&](std::size_t l, const std::vector<LevelGraph>& /*graphs*/, const detail::CoarsePairs& pairs) {
-    for (const detail::CoarsePairs::Pair& pair : pairs.pairs) terms[l - 1] += pair.terms;
-  };
-  const std::vector<LevelGraph> graphs = detail::make_graphs(levels, true, count);
+std::vector<LevelCounts> count_levels(std::span<const MeshLevel> levels, std::span<const LevelGraph> graphs) {
   std::vector<LevelCounts> counts;
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    counts.push_back(counts_of(levels[l], graphs[l]));
-    counts.back().edge_terms = terms[l];
-  }
+  for (std::size_t l = 0; l < levels.size(); ++l) counts.push_back(counts_of(levels[l], graphs[l]));
   return counts;
+}
+
+std::vector<LevelCounts> count_levels(const std::vector<MeshLevel>& levels) {
+  return count_levels(levels, make_counted_graphs(levels));
 }
 
 }  // namespace physgen::fem

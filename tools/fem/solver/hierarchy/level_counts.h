@@ -5,6 +5,7 @@
 #include <fem/solver/hierarchy/hierarchy.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace physgen::fem {
@@ -32,7 +33,10 @@ struct LevelCounts : GraphCounts {
 [[nodiscard]] GraphCounts counts_of(const LevelGraph& graph);
 [[nodiscard]] LevelCounts counts_of(const MeshLevel& level, const LevelGraph& graph);
 
-/// Counts of given levels. Takes about a third of the solver's set-up.
+/// Counts of given levels and their graphs, which are whole or those of make_counted_graphs().
+[[nodiscard]] std::vector<LevelCounts> count_levels(std::span<const MeshLevel> levels,
+                                                    std::span<const LevelGraph> graphs);
+/// The same where the graphs are not wanted. Takes about a third of the solver's set-up.
 [[nodiscard]] std::vector<LevelCounts> count_levels(const std::vector<MeshLevel>& levels);
 
 }  // namespace physgen::fem

@@ -22,7 +22,8 @@ struct LevelGraph {
   std::vector<GridLocation> grid_parents;  ///< in place of `parents`
   /// Per coarse node: fine node, how many of its two parents are this node; or which of its grid parents is.
   IncidenceList children;
-  /// Per coarse edge: fine node or edge, galerkin_code(); of a grid with one quarter, since weights are looked up.
+  /// Per coarse edge: fine node or edge, galerkin_code(); of a grid with one quarter, since weights are looked up. Of a
+  /// graph that is counted its rows are known, and not yet their entries.
   IncidenceList edge_terms;
 };
 

@@ -1,16 +1,27 @@
 #include <fem/mesh/rings.h>
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/check_parents.h>
+#include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/level_graphs.h>
 #include <fem/solver/hierarchy/node_rows.h>
 #include <physgen/error.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
-namespace physgen::fem::detail {
+namespace physgen::fem {
 
 namespace {
+
+using detail::check_parents;
+using detail::coarse_pairs;
+using detail::CoarsePairs;
+using detail::copy_of;
+using detail::first_edges;
+using detail::HigherNodes;
+using detail::patches_of_nodes;
 
 void require_sizes(std::size_t l, const MeshLevel& level) {
   const std::size_t size = at(level.mesh.nodes);
@@ -20,11 +31,28 @@ void require_sizes(std::size_t l, const MeshLevel& level) {
               " constraints");
 }
 
+/// A graph has the constraints and the coarser level of when it was counted.
+void require_graphs(std::span<const MeshLevel> levels, const std::vector<LevelGraph>& graphs) {
+  if (graphs.size() < levels.size()) {
+    throw Error("SolverSettings::graphs has " + std::to_string(graphs.size()) + " graphs for " +
+                std::to_string(levels.size()) + " levels; give those of make_counted_graphs() of these levels, once");
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const bool has_nodes = graphs[l].nodes == levels[l].mesh.nodes && graphs[l].is_grid == levels[l].is_grid();
+    const char* const other = !has_nodes                                             ? "nodes"
+                              : graphs[l].fixed != levels[l].fixed                   ? "constraints"
+                              : graphs[l].edges.size() < levels[l].mesh.edges.size() ? "edges"
+                                                                                     : nullptr;
+    if (other == nullptr) continue;
+    throw Error("SolverSettings::graphs: the graph of level " + std::to_string(l) + " has other " + other +
+                " than the level; make it again with make_counted_graphs() when the levels are complete");
+  }
+}
+
 /// The edges of a level: those of its tets, of nodes that share a mean volume, and those that finer levels have.
 EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
   InStage stage("edges of levels");
   const bool patches = !level.patches.nodes.empty(), rings = level.averages_at_nodes;
-  if (!patches && !rings && of_finer.pairs.empty()) return level.mesh.edges;
   const HostList<Index> first = first_edges(level.mesh.nodes, level.mesh.edges);
   const IncidenceList node_patches = patches ? patches_of_nodes(level) : IncidenceList();
   const NodeRings node_rings = rings ? make_rings(level.mesh) : NodeRings();
@@ -68,6 +96,19 @@ EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
   return edges;
 }
 
+/// Edges and their rows. Those of tets alone are the mesh's own.
+void put_edges(const MeshLevel& level, const CoarsePairs& of_finer, LevelGraph& graph) {
+  if (!level.is_grid() && level.patches.nodes.empty() && !level.averages_at_nodes && of_finer.pairs.empty()) {
+    InStage stage("edges of levels");
+    graph.edges = copy_of(level.mesh.edges);
+    graph.node_edges = {copy_of(level.mesh.node_edges.first), copy_of(level.mesh.node_edges.entries)};
+    stage.moves(graph.edges, graph.edges, graph.node_edges.entries, graph.node_edges.entries);
+    return;
+  }
+  graph.edges = edges_of(level, of_finer);
+  graph.node_edges = edges_of_nodes(graph.nodes, graph.edges);
+}
+
 IncidenceList children_of(const LevelGraph& graph, Index coarse_nodes) {
   InStage stage("children");
   IncidenceList children;
@@ -93,7 +134,7 @@ IncidenceList children_of(const LevelGraph& graph, Index coarse_nodes) {
 
 }  // namespace
 
-std::vector<LevelGraph> make_graphs(std::span<const MeshLevel> levels, bool edges, const AtCoarse& at_coarse) {
+std::vector<LevelGraph> make_counted_graphs(std::span<const MeshLevel> levels, bool edges) {
   std::vector<LevelGraph> graphs(levels.size());
   CoarsePairs of_finer;
   for (std::size_t l = 0; l < levels.size(); ++l) {
@@ -104,9 +145,8 @@ std::vector<LevelGraph> make_graphs(std::span<const MeshLevel> levels, bool edge
     graph.is_grid = level.is_grid();
     graph.fixed = level.fixed;
     if (edges) {
-      graph.edges = edges_of(level, of_finer);
-      graph.node_edges = edges_of_nodes(graph.nodes, graph.edges);
-      if (l > 0) at_coarse(l, graphs, of_finer);
+      put_edges(level, of_finer, graph);
+      if (l > 0) graphs[l - 1].edge_terms.first = detail::rows_of_terms(of_finer, graph);
     }
     if (l + 1 == levels.size()) break;
     if (level.grid_parents.empty()) {
@@ -123,4 +163,30 @@ std::vector<LevelGraph> make_graphs(std::span<const MeshLevel> levels, bool edge
   return graphs;
 }
 
-}  // namespace physgen::fem::detail
+std::vector<LevelGraph> make_level_graphs(std::span<const MeshLevel> levels, bool edges) {
+  std::vector<LevelGraph> graphs = make_counted_graphs(levels, edges);
+  for (std::size_t l = 0; edges && l + 1 < graphs.size(); ++l) {
+    IncidenceList& list = graphs[l].edge_terms;
+    list.entries.resize(at(list.first.back()));
+    each_edge_terms(graphs[l], graphs[l + 1], [&list](Index begin, std::span<const IncidenceEntry> terms) {
+      std::ranges::copy(terms, list.entries.begin() + begin);
+    });
+  }
+  return graphs;
+}
+
+std::vector<LevelGraph> graphs_in_use(std::span<const MeshLevel> used, const SolverSettings& settings) {
+  const bool edges = settings.newton.product == Product::assembled;
+  if (!settings.graphs) return make_counted_graphs(used, edges);
+  std::vector<LevelGraph> graphs = std::exchange(*settings.graphs, {});
+  require_graphs(used, graphs);
+  if (!edges) return make_counted_graphs(used, edges);
+  graphs.resize(used.size());
+  LevelGraph& coarsest = graphs.back();
+  coarsest.parents = {};
+  coarsest.grid_parents = {};
+  coarsest.children = coarsest.edge_terms = {};
+  return graphs;
+}
+
+}  // namespace physgen::fem

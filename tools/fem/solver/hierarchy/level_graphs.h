@@ -1,24 +1,17 @@
-// Graphs of all levels, one after the other, for what is made or counted of how each hangs on the next.
+// The graphs of the levels that a solver uses, which a program may have made.
 #pragma once
 
-#include <fem/solver/hierarchy/coarse_terms.h>
-#include <fem/solver/hierarchy/level_graph.h>
+#include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/settings.h>
 
-#include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
-namespace physgen::fem::detail {
+namespace physgen::fem {
 
-/// Called when the edges of a coarser level l are known, with the graphs up to there, and the pairs of its nodes that
-/// level l - 1 connects.
-using AtCoarse = std::function<void(std::size_t l, std::vector<LevelGraph>& graphs, const CoarsePairs& pairs)>;
+/// The graphs of the levels that a solver uses, the first of those it is given, as make_counted_graphs() makes them.
+/// Takes SolverSettings::graphs, if there are any.
+/// @throw Error as make_level_graphs(), and when the graphs are not those of these levels
+[[nodiscard]] std::vector<LevelGraph> graphs_in_use(std::span<const MeshLevel> used, const SolverSettings& settings);
 
-/// Graphs of all levels, finest first, without LevelGraph::edge_terms.
-/// @param edges whether there are any; else nodes, constraints and parents alone
-/// @throw Error when parents do not fit the coarser mesh, sizes differ, or a list would exceed 2^31 entries
-[[nodiscard]] std::vector<LevelGraph> make_graphs(std::span<const MeshLevel> levels, bool edges,
-                                                  const AtCoarse& at_coarse);
-
-}  // namespace physgen::fem::detail
+}  // namespace physgen::fem

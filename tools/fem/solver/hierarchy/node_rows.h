@@ -17,6 +17,14 @@ using physgen::detail::RegionFailure;
 using physgen::detail::sort_row;
 using physgen::detail::Spares;
 
+/// Made on several threads.
+template <class T>
+[[nodiscard]] HostList<T> copy_of(const HostList<T>& list) {
+  HostList<T> copy(list.size());
+  for_each_index(0, static_cast<index_t>(list.size()), [&](index_t k) { copy[at(k)] = list[at(k)]; });
+  return copy;
+}
+
 /// Per node, the first of its edges to higher nodes; and one more. @param edges ascending
 [[nodiscard]] inline HostList<Index> first_edges(Index nodes, std::span<const std::array<Index, 2>> edges) {
   const auto count = static_cast<index_t>(edges.size());

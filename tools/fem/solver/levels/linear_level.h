@@ -52,7 +52,7 @@ struct LevelOver : Group {
                                                                                            this->edge_term_entries};
 
   explicit LevelOver(Group&& arrays) : Group(std::move(arrays)) {}
-  /// With an assembled stiffness. @param coarser the next level, or null
+  /// With an assembled stiffness. @param graph whole, or counted; so `coarser`, the next level, or null
   LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
       : is_grid(graph.is_grid),
         sums(graph.nodes, graph.edges, Space::kind, sizeof(Real), SumOrder::any),
@@ -68,8 +68,9 @@ struct LevelOver : Group {
     put_packed<NodeEdgeEntry>(this->node_edge_ranges, this->node_edge_entries, graph.node_edges, edges, "edges");
     if (coarser == nullptr) return;
     put_packed<ChildEntry>(this->child_ranges, this->child_entries, graph.children, nodes, "nodes");
-    put_packed<EdgeTermEntry>(this->edge_term_ranges, this->edge_term_entries, graph.edge_terms, std::max(nodes, edges),
-                              "edges");
+    const auto each_terms = [&](const auto& put) { each_edge_terms(graph, *coarser, put); };
+    put_packed_parts<EdgeTermEntry>(this->edge_term_ranges, this->edge_term_entries, graph.edge_terms.first, each_terms,
+                                    std::max(nodes, edges), "edges");
     if (graph.grid_parents.empty()) {
       put_parents(graph);
     } else {

@@ -3,6 +3,7 @@
 
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/hierarchy/level_graphs.h>
 #include <fem/solver/levels/linear_level.h>
 #include <fem/solver/preconditioners/all.h>
 #include <fem/solver/settings.h>
@@ -24,7 +25,7 @@ struct LevelsInUse {
   const auto meshes = static_cast<std::size_t>(std::ranges::find_if(given, &MeshLevel::is_grid) - given.begin());
   const auto [used, solved] = used_levels(settings, given.size(), meshes);
   LevelsInUse result{std::span(given).first(used), {}, solved};
-  result.graphs = make_level_graphs(result.levels, settings.newton.product == Product::assembled);
+  result.graphs = graphs_in_use(result.levels, settings);
   return result;
 }
 
@@ -37,7 +38,7 @@ template <class Level>
   std::vector<std::unique_ptr<Level>> made;
   for (std::size_t l = 0; l < used.graphs.size(); ++l) {
     InStage stage("arrays of levels");
-    stage.moves(used.graphs[l].edges, used.graphs[l].node_edges.entries, used.graphs[l].edge_terms.entries);
+    stage.moves(used.graphs[l].edges, used.graphs[l].node_edges.entries);
     const LevelGraph* next = l + 1 < used.graphs.size() ? &used.graphs[l + 1] : nullptr;
     if (settings.newton.product == Product::assembled) {
       made.push_back(std::make_unique<Level>(used.graphs[l], next));
