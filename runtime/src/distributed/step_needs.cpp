@@ -77,10 +77,10 @@ std::vector<HaloFetch> HaloSteps::stale_of(const Step& step) {
   const auto add = [&](const Field& field, int need) {
     const HaloNeedBits wanted = HaloNeedBits{1} << need;
     if ((fresh(field) & wanted) != 0) return;
-    // It crosses a second time since it was written; the next time all of that crosses at once.
-    if (fresh(field) != 0) also(field) |= fresh(field) | wanted;
     const int set = arrays_.arrays()[static_cast<std::size_t>(field.array)].set;
     stale.push_back({field, arrays_.need_of(set, also(field) | wanted)});
+    // It crosses a second time since it was written; the next time all of that crosses at once.
+    if (fresh(field) != 0) also(field) |= fresh(field) | wanted;
   };
   for (const auto& [field, needs] : step.gathered) add(field, on_ghosts_ ? needs.of_ghosts : needs.of_owned);
   for (const Field& field : step.own) {
