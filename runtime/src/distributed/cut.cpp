@@ -210,7 +210,8 @@ void Partition::find_ghosts() {
       if (is_here[s][static_cast<std::size_t>(i)] && !is_owned(s, i)) ghosts.push_back(i);
     }
     set.local.emplace(Runs(set.local->runs()), ranks_.rank(), std::move(ghosts));
-    set.plan = make_halo_plan(*set.local, *transport_);
+    const std::size_t all = set.local->ghosts().size();
+    set.needs.push_back({make_halo_plan(*set.local, *transport_), std::vector<char>(all, 1), all_ghosts});
   }
 }
 

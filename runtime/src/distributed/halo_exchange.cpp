@@ -5,127 +5,137 @@
 #include <cstring>
 #include <vector>
 
+#include "move_field.h"
+
 namespace physgen {
 
 namespace {
 
-/// Calls use(address, bytes) for the elements of a field of an object.
-template <class Use>
-void each_element(const UntypedArray& memory, const FieldInfo& info, index_t object, const Use& use) {
-  const int size = element_bytes(info.type);
-  for (int k = 0; k < info.count && size > 0; ++k) {
-    use(memory.address(object, info.offset + k * size, size), static_cast<std::size_t>(size));
-  }
-}
-
 class HostExchange final : public HaloExchange {
  public:
-  explicit HostExchange(Partition& arrays) : arrays_(arrays) {}
+  explicit HostExchange(Partition& arrays)
+      : arrays_(arrays), sizes_(static_cast<std::size_t>(arrays.ranks().count())) {}
 
-  void begin(std::span<const HaloField> fields) override {
-    const auto ranks = static_cast<std::size_t>(arrays_.ranks().count());
-    fields_.assign(fields.begin(), fields.end());
-    sent_.assign(ranks, {});
-    received_.assign(ranks, {});
-    std::vector<std::size_t> to_come(ranks, 0);
-    // Field by field, object by object, element by element.
-    for (const HaloField& field : fields) {
-      const UntypedArray& memory = array_of(field).memory;
-      const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-      for (const HaloPlan::Peer& peer : set_of(field).plan.peers) {
-        const auto r = static_cast<std::size_t>(peer.rank);
-        std::vector<std::byte>& sent = sent_[r];
-        for (const index_t object : peer.sent) {
-          each_element(memory, info, object,
-                       [&](const std::byte* at, std::size_t size) { sent.insert(sent.end(), at, at + size); });
-        }
-        to_come[r] += static_cast<std::size_t>((peer.last - peer.first) * info.count * element_bytes(info.type));
-      }
-    }
+  void begin(std::span<const HaloFetch> fetches) override {
+    fetches_.assign(fetches.begin(), fetches.end());
+    // Of each rank's message the bytes; then where its next field lies.
+    sizes_.assign(sizes_.size(), {});
+    each([&](const HaloPlan::Peer& peer, const UntypedArray&, const FieldInfo& info) {
+      Places& of_rank = sizes_[static_cast<std::size_t>(peer.rank)];
+      of_rank.sent += bytes_of(info, peer.sent.count);
+      of_rank.received += bytes_of(info, peer.received.count);
+    });
+    Places all;
+    for (const Places& one : sizes_) all.sent += one.sent, all.received += one.received;
+    if (sent_.size() < all.sent) sent_.resize(all.sent);
+    if (received_.size() < all.received) received_.resize(all.received);
     std::vector<Message> messages;
-    for (std::size_t r = 0; r < ranks; ++r) {
-      received_[r].resize(to_come[r]);
-      if (sent_[r].empty() && to_come[r] == 0) continue;
-      messages.push_back({static_cast<int>(r), sent_[r], received_[r]});
+    Places at;
+    for (std::size_t r = 0; r < sizes_.size(); ++r) {
+      const Places size = sizes_[r];
+      sizes_[r] = at;
+      if (size.sent + size.received == 0) continue;
+      messages.push_back(
+          {static_cast<int>(r), {sent_.data() + at.sent, size.sent}, {received_.data() + at.received, size.received}});
+      at = {at.sent + size.sent, at.received + size.received};
     }
+    each([&](const HaloPlan::Peer& peer, const UntypedArray& memory, const FieldInfo& info) {
+      std::size_t& place = sizes_[static_cast<std::size_t>(peer.rank)].sent;
+      detail::pack(memory, info, peer.sent, sent_.data() + place);
+      place += bytes_of(info, peer.sent.count);
+    });
     arrays_.transport().begin(messages);
   }
 
   void end() override {
     arrays_.transport().end();
-    std::vector<std::size_t> taken(received_.size(), 0);
-    for (const HaloField& field : fields_) {
-      const UntypedArray& memory = array_of(field).memory;
-      const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-      for (const HaloPlan::Peer& peer : set_of(field).plan.peers) {
-        const auto r = static_cast<std::size_t>(peer.rank);
-        for (index_t object = peer.first; object < peer.last; ++object) {
-          each_element(memory, info, object, [&](std::byte* at, std::size_t size) {
-            std::memcpy(at, received_[r].data() + taken[r], size);
-            taken[r] += size;
-          });
-        }
-      }
-    }
-    fields_.clear();
-    sent_.clear();
-    received_.clear();
+    each([&](const HaloPlan::Peer& peer, const UntypedArray& memory, const FieldInfo& info) {
+      std::size_t& place = sizes_[static_cast<std::size_t>(peer.rank)].received;
+      detail::unpack(memory, info, peer.received, received_.data() + place);
+      place += bytes_of(info, peer.received.count);
+    });
+    fetches_.clear();
   }
 
   void gather(std::span<const HaloField> fields, const Runs& computed) override {
-    const auto each = [&](int rank, const auto& use) {
-      for (const HaloField& field : fields) {
-        const UntypedArray& memory = array_of(field).memory;
-        const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-        for (index_t i = computed.begin(rank); i < computed.end(rank); ++i) each_element(memory, info, i, use);
-      }
-    };
     index_t bytes_of_object = 0;
     for (const HaloField& field : fields) {
-      const FieldInfo& info = array_of(field).memory.fields[static_cast<std::size_t>(field.field)];
-      bytes_of_object += info.count * element_bytes(info.type);
+      bytes_of_object += static_cast<index_t>(bytes_of(info_of(field), 1));
     }
     std::vector<index_t> sizes;
-    for (int r = 0; r < computed.ranks(); ++r) sizes.push_back((computed.end(r) - computed.begin(r)) * bytes_of_object);
-    std::vector<std::byte> given, all(static_cast<std::size_t>(computed.size() * bytes_of_object));
-    each(arrays_.ranks().rank(),
-         [&](const std::byte* at, std::size_t size) { given.insert(given.end(), at, at + size); });
+    std::vector<ObjectRuns> objects(static_cast<std::size_t>(computed.ranks()));
+    for (int r = 0; r < computed.ranks(); ++r) {
+      const index_t count = computed.end(r) - computed.begin(r);
+      sizes.push_back(count * bytes_of_object);
+      if (count > 0) objects[static_cast<std::size_t>(r)] = {{{computed.begin(r), count}}, count};
+    }
+    const auto rank = static_cast<std::size_t>(arrays_.ranks().rank());
+    std::vector<std::byte> given(static_cast<std::size_t>(sizes[rank])),
+        all(static_cast<std::size_t>(computed.size() * bytes_of_object));
+    std::byte* to = given.data();
+    for (const HaloField& field : fields) to = detail::pack(array_of(field).memory, info_of(field), objects[rank], to);
     arrays_.transport().gather(given, sizes, all);
     const std::byte* from = all.data();
-    for (int r = 0; r < computed.ranks(); ++r) {
-      each(r, [&](std::byte* at, std::size_t size) {
-        std::memcpy(at, from, size);
-        from += size;
-      });
+    for (const ObjectRuns& of_rank : objects) {
+      for (const HaloField& field : fields) {
+        from = detail::unpack(array_of(field).memory, info_of(field), of_rank, from);
+      }
     }
   }
 
-  void poison(const HaloField& field) override {
-    const UntypedArray& memory = array_of(field).memory;
-    const LocalSet& objects = *set_of(field).local;
-    const FieldInfo& info = memory.fields[static_cast<std::size_t>(field.field)];
-    const std::uint64_t bits = bits_of_no_value(info.type);
-    for (std::size_t g = 0; g < objects.ghosts().size(); ++g) {
-      each_element(memory, info, objects.ghost(g),
-                   [&](std::byte* at, std::size_t size) { std::memcpy(at, &bits, size); });
-    }
+  void poison(const HaloField& field, HaloNeedBits fresh) override {
+    const std::uint64_t bits = bits_of_no_value(info_of(field).type);
+    const auto size = static_cast<std::size_t>(element_bytes(info_of(field).type));
+    detail::for_each_piece(array_of(field).memory, info_of(field), stale_ghosts(set_of(field), fresh), index_t{0},
+                           [&](std::byte* at, index_t /*place*/, std::size_t bytes) {
+                             for (std::size_t b = 0; b < bytes; b += size) std::memcpy(at + b, &bits, size);
+                           });
   }
 
  private:
+  struct Places {
+    std::size_t sent = 0, received = 0;
+  };
+
+  /// Calls use(peer, memory, info) for each field and each rank that has objects of it; all ranks in the same order.
+  template <class Use>
+  void each(const Use& use) const {
+    for (const HaloFetch& fetch : fetches_) {
+      const HaloNeed& need = set_of(fetch.field).needs[static_cast<std::size_t>(fetch.need)];
+      for (const HaloPlan::Peer& peer : need.plan.peers) use(peer, array_of(fetch.field).memory, info_of(fetch.field));
+    }
+  }
+  [[nodiscard]] static std::size_t bytes_of(const FieldInfo& info, index_t objects) {
+    return info.is_stored() ? static_cast<std::size_t>(objects * info.count * element_bytes(info.type)) : 0;
+  }
   [[nodiscard]] const DistributedArray& array_of(const HaloField& field) const {
     return arrays_.arrays()[static_cast<std::size_t>(field.array)];
+  }
+  [[nodiscard]] const FieldInfo& info_of(const HaloField& field) const {
+    return array_of(field).memory.fields[static_cast<std::size_t>(field.field)];
   }
   [[nodiscard]] const DistributedSet& set_of(const HaloField& field) const {
     return arrays_.sets()[static_cast<std::size_t>(array_of(field).set)];
   }
 
   Partition& arrays_;
-  std::vector<HaloField> fields_;
-  std::vector<std::vector<std::byte>> sent_, received_;  ///< by rank
+  std::vector<HaloFetch> fetches_;
+  std::vector<Places> sizes_;               ///< by rank
+  std::vector<std::byte> sent_, received_;  ///< of all ranks; they grow alone
 };
 
 }  // namespace
 
 std::unique_ptr<HaloExchange> make_host_exchange(Partition& arrays) { return std::make_unique<HostExchange>(arrays); }
+
+ObjectRuns stale_ghosts(const DistributedSet& set, HaloNeedBits fresh) {
+  ObjectRuns stale;
+  for (std::size_t g = 0; g < set.local->ghosts().size(); ++g) {
+    bool is_fresh = false;
+    for (std::size_t n = 0; n < set.needs.size(); ++n) is_fresh |= (fresh >> n & 1) != 0 && set.needs[n].has[g] != 0;
+    if (!is_fresh) stale.add(set.local->ghost(g));
+  }
+  return stale;
+}
 
 }  // namespace physgen

@@ -15,10 +15,6 @@ const DistributedSet& HaloSteps::set_of_array(int array) const {
   return arrays_.sets()[static_cast<std::size_t>(arrays_.arrays()[static_cast<std::size_t>(array)].set)];
 }
 
-bool HaloSteps::is_fresh(const Field& field) const {
-  return arrays_.arrays()[static_cast<std::size_t>(field.array)].is_fresh[static_cast<std::size_t>(field.field)] != 0;
-}
-
 HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t size, Way way) {
   if (open_.name != nullptr) {
     throw Error(*kernels.front().name + " runs between two parts of the reduction of " + *open_.name +
@@ -67,15 +63,13 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   }
   current_ = &step;
   current_name_ = *kernels.front().name;
-  std::vector<Field> stale;
-  for (const Field& field : step.gathered) {
-    if (!is_fresh(field)) stale.push_back(field);
-  }
+  on_ghosts_ = way != Way::at_once && can_be_of_ghosts(step);
+  const std::vector<HaloFetch> stale = stale_of(step);
   if (!stale.empty()) begin_exchange(stale);
   // A kernel that gathers what it writes finds there what its calls have left so far.
-  const auto is_written = [&](const Field& field) { return step.written.contains(field); };
+  const auto is_gathered = [&](const Field& field) { return step.gathered.contains(field); };
   const bool is_split = !stale.empty() && way != Way::at_once && step.is_known &&
-                        over.kind == DistributedSet::Kind::owned && std::ranges::none_of(step.gathered, is_written);
+                        over.kind == DistributedSet::Kind::owned && std::ranges::none_of(step.written, is_gathered);
   std::vector<Range> inner;
   if (is_split) inner = inner_of(over, way);
   if (!stale.empty() && inner.empty()) arrive();
@@ -83,8 +77,6 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     const int rank = arrays_.ranks().rank();
     return {over.computed->begin(rank), over.computed->end(rank), nullptr};
   }
-  on_ghosts_ = way != Way::at_once && step.reaches_on_ghosts &&
-               std::ranges::all_of(step.own, [&](const Field& f) { return is_fresh(f); });
   if (!over.local) return {0, size, nullptr};  // entries, of which there are no ghosts
   const LocalSet& objects = *over.local;
   if (over.kind == DistributedSet::Kind::replicated) return {0, size, nullptr};
@@ -117,22 +109,6 @@ std::vector<HaloSteps::Range> HaloSteps::inner_of(const DistributedSet& over, Wa
   return inner;
 }
 
-void HaloSteps::end() {
-  const Step* const step = std::exchange(current_, nullptr);
-  if (step == nullptr || step->set < 0) return;
-  if (step->is_gathered) {
-    const std::vector<Field> written(step->written.begin(), step->written.end());
-    return exchange_->gather(written, *arrays_.sets()[static_cast<std::size_t>(step->set)].computed);
-  }
-  if (arrays_.sets()[static_cast<std::size_t>(step->set)].kind != DistributedSet::Kind::owned) return;
-  for (const Field& field : step->written) {
-    // A step may write some objects of the field, or some of its elements: of ghosts the others stay as they were.
-    if (on_ghosts_ && is_fresh(field)) continue;
-    arrays_.arrays()[static_cast<std::size_t>(field.array)].is_fresh[static_cast<std::size_t>(field.field)] = 0;
-    if (poisons_) exchange_->poison(field);
-  }
-}
-
 HaloSteps::Objects HaloSteps::begin_part(std::span<const Kernel> kernels, const PartOfReduction& part) {
   const std::string* const name = kernels.front().name;
   if (part.first != open_.next || (open_.name != nullptr && (open_.name != name || open_.of != part.of))) {
@@ -155,16 +131,6 @@ void HaloSteps::end_part(const PartOfReduction& part) {
   if (!part.is_last()) return;
   open_ = {};
   end();
-}
-
-void HaloSteps::begin_exchange(const std::vector<Field>& fields) {
-  crossing_ = 0;
-  for (const Field& field : fields) {
-    DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
-    array.is_fresh[static_cast<std::size_t>(field.field)] = 1;
-    crossing_ |= std::uint64_t{1} << (array.set % 64);
-  }
-  exchange_->begin(fields);
 }
 
 void HaloSteps::require_replicated(std::span<const KernelView> views, const std::string& of) const {

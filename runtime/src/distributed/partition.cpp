@@ -83,7 +83,9 @@ void Partition::add_array(DistributedArray array) {
     }
   }
   const std::size_t fields = array.untyped().fields.size();
-  array.is_fresh.assign(fields, 1);
+  array.fresh.assign(fields, all_ghosts);
+  array.also.assign(fields, 0);
+  array.is_gathered.assign(fields, 0);
   array.is_index.assign(fields, 0);
   arrays_.push_back(std::move(array));
 }
@@ -153,7 +155,9 @@ void Partition::set_fresh(int array, bool is_fresh) {
                 " has entries of rows, which a rank has of ghosts, too, and which never cross; write them by a kernel "
                 "that is run over them, or write an array of objects");
   }
-  for (std::size_t f = 0; f < found.is_fresh.size(); ++f) found.is_fresh[f] = is_fresh || found.is_index[f] ? 1 : 0;
+  for (std::size_t f = 0; f < found.fresh.size(); ++f) {
+    found.fresh[f] = is_fresh || found.is_index[f] ? all_ghosts : 0;
+  }
 }
 
 std::int32_t* Partition::index_at(const UntypedArray& array, std::string_view field, index_t object, int k) {
@@ -167,7 +171,7 @@ void Partition::connect_field(const void* array, const std::string& field, std::
   const UntypedArray untyped = source.untyped();
   source.is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, field) - untyped.fields.data())] = 1;
   const std::string of = source.name + "." + field;
-  namings_.push_back({of, source.set, to, number});
+  namings_.push_back({of, source.set, to, number, static_cast<int>(connections_.size())});
   const auto store = [this, number, to, field, of, named] {
     const DistributedArray& connected = arrays_[static_cast<std::size_t>(number)];
     const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
@@ -206,7 +210,7 @@ void Partition::connect_entries(const void* ranges, const std::string& name, con
     namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set, rows});
   }
   for (auto& [target, named] : targets) {
-    namings_.push_back({name + "." + field, entries.set, target, last});
+    namings_.push_back({name + "." + field, entries.set, target, last, static_cast<int>(connections_.size())});
     connections_.push_back({of_ranges.set, target, std::move(named), std::exchange(store, nullptr)});
   }
 }

@@ -17,7 +17,6 @@ void Partition::find_reached() {
       if (is_complete(static_cast<int>(s), i, static_cast<int>(s))) reached[s][static_cast<std::size_t>(i)] = 0;
     }
   }
-  const auto is_ghost = [&](const LocalSet& set, index_t local) { return local < set.begin() || local >= set.end(); };
   std::vector<index_t> numbers;
   // What a connection adds to the objects of its set. @return whether it added something
   const auto add = [&](const Connection& connection) {
@@ -33,7 +32,7 @@ void Partition::find_reached() {
       for (const index_t number : numbers) {
         const index_t local = number < 0 ? -1 : target.local(number);
         if (local < 0) continue;
-        if (is_ghost(target, local)) mine |= std::uint64_t{1} << (t % 64);
+        if (target.is_ghost(local)) mine |= std::uint64_t{1} << (t % 64);
         if (sets_[t].follows >= 0) mine |= reached[t][static_cast<std::size_t>(local)];
       }
       has_changed |= mine != before;
@@ -58,11 +57,32 @@ void Partition::find_reached() {
   for (const Connection& connection : connections_) {
     if (is_of(connection, false)) add(connection);
   }
+  keep_what_leads_to_ghosts(reached);
   for (std::size_t s = 0; s < count; ++s) {
     const auto objects = static_cast<index_t>(reached[s].size());
     sets_[s].reached.assign(static_cast<std::size_t>((objects + DistributedSet::group - 1) / DistributedSet::group), 0);
     for (index_t i = 0; i < objects; ++i) {
       sets_[s].reached[static_cast<std::size_t>(i / DistributedSet::group)] |= reached[s][static_cast<std::size_t>(i)];
+    }
+  }
+}
+
+void Partition::keep_what_leads_to_ghosts(const std::vector<std::vector<std::uint64_t>>& reached) {
+  std::vector<index_t> numbers;
+  for (Connection& connection : connections_) {
+    const auto s = static_cast<std::size_t>(connection.source), t = static_cast<std::size_t>(connection.target);
+    if (sets_[t].kind != DistributedSet::Kind::owned) continue;
+    const LocalSet& target = *sets_[t].local;
+    for (index_t i = sets_[s].local->first(); i < sets_[s].local->last(); ++i) {
+      if (!is_complete(connection.source, i, connection.target)) continue;
+      if (!reached[s].empty() && reached[s][static_cast<std::size_t>(i)] == 0) continue;
+      numbers.clear();
+      connection.named(sets_[s].local->global(i), numbers);
+      for (const index_t number : numbers) {
+        const index_t local = number < 0 ? -1 : target.local(number);
+        if (local < 0 || (!target.is_ghost(local) && reached[t][static_cast<std::size_t>(local)] == 0)) continue;
+        connection.to_ghosts.push_back({i, local});
+      }
     }
   }
 }

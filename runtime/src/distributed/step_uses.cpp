@@ -7,16 +7,6 @@ namespace physgen {
 
 namespace {
 
-/// Whether a field is meant by a name: "points.x" means that of all entries, "points[0].x".
-bool is_named(std::string_view field, std::string_view name) {
-  while (!field.empty() && !name.empty() && field.front() == name.front()) {
-    field.remove_prefix(1);
-    name.remove_prefix(1);
-    if (field.starts_with('[')) field.remove_prefix(field.find(']') + 1);
-  }
-  return field.empty() && name.empty();
-}
-
 /// The names of a list "a, b"; an empty one is one name, which nothing has.
 void add_names(std::vector<std::string>& names, std::string_view list) {
   for (std::size_t at = 0; at <= list.size();) {
@@ -122,7 +112,9 @@ void HaloSteps::add_gathered(Step& step, const Use& use, const std::vector<Use>&
                 " alone that it computes; let a kernel over this set read it of its own objects");
   }
   if (set_of_array(use.field.array).kind != DistributedSet::Kind::owned) return;
-  step.gathered.insert(use.field);
+  step.gathered[use.field] = {};
+  arrays_.arrays()[static_cast<std::size_t>(use.field.array)].is_gathered[static_cast<std::size_t>(use.field.field)] =
+      1;
   const auto& namings = arrays_.namings();
   const auto is_this = [&](const Partition::Naming& naming) { return naming.field == name_of(use.field); };
   const auto indices = std::ranges::find_if(namings, is_this);
@@ -137,21 +129,14 @@ void HaloSteps::add_gathered(Step& step, const Use& use, const std::vector<Use>&
   // computed here, too.
   bool is_found = !use.through.empty();
   for (const std::string& through : use.through) {
-    bool is_there = false;
-    for (const Partition::Naming& naming : namings) {
-      // "level.edges.nodes" means level[0].edges.nodes and level[1].edges.nodes, of such arrays as the kernel has views
-      // of, or that name objects of the array that it reads.
-      const auto is_viewed = [&](const Use& other) { return other.field.array == naming.array; };
-      const bool is_meant = naming.target == arrays_.arrays()[static_cast<std::size_t>(use.field.array)].set ||
-                            std::ranges::any_of(uses, is_viewed);
-      if (naming.field != through && !(is_meant && is_named(naming.field, through))) continue;
-      is_there = true;
-      if (reaches(step, naming)) continue;
-      throw Error(use.kernel + " reads " + name_of(use.field) + " through " + naming.field +
+    const std::vector<const Partition::Naming*> meant = namings_of(use, through, uses);
+    for (const Partition::Naming* const naming : meant) {
+      if (reaches(step, *naming)) continue;
+      throw Error(use.kernel + " reads " + name_of(use.field) + " through " + naming->field +
                   " of other objects, whose set follows no set, so that what they name may be on other ranks; let it "
                   "follow one");
     }
-    is_found &= is_there;
+    is_found &= !meant.empty();
   }
   if (use.is_known && !is_found) {
     throw Error(use.kernel + " reads " + name_of(use.field) +
@@ -198,7 +183,10 @@ HaloSteps::Step HaloSteps::resolve(std::span<const Kernel> kernels, index_t size
     }
     if (use.access.writes_own && (is_of_parts || step.is_gathered)) step.written.insert(use.field);
   }
-  if (step.is_known) return step;
+  if (step.is_known) {
+    find_needs(step, uses);
+    return step;
+  }
   for (const Partition::Naming& naming : arrays_.namings()) {
     // A kernel of which the table does not say it may follow the indices of all its views.
     const bool is_there = std::ranges::any_of(uses, [&](const Use& use) { return name_of(use.field) == naming.field; });

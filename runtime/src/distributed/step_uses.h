@@ -4,6 +4,7 @@
 #include <physgen/distributed/halo_steps.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace physgen {
@@ -16,5 +17,15 @@ struct HaloSteps::Use {
   HaloAccess access;
   std::vector<std::string> through;
 };
+
+/// Whether a field is meant by a name: "points.x" means that of all entries, "points[0].x".
+inline bool is_named(std::string_view field, std::string_view name) {
+  while (!field.empty() && !name.empty() && field.front() == name.front()) {
+    field.remove_prefix(1);
+    name.remove_prefix(1);
+    if (field.starts_with('[')) field.remove_prefix(field.find(']') + 1);
+  }
+  return field.empty() && name.empty();
+}
 
 }  // namespace physgen

@@ -19,6 +19,7 @@
 #include <quasistatic.halos.h>
 #include <quasistatic.scene.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -143,6 +144,12 @@ void run_plain(const Options& options) {
   std::printf("\n");
 }
 
+/// The most of all ranks, on each of them.
+index_t most_of_ranks(Transport& transport, index_t mine) {
+  const std::vector<index_t> given(static_cast<std::size_t>(transport.count()), mine);
+  return std::ranges::max(transport.all_to_all(given));
+}
+
 void run_on_ranks(const Ranks& ranks, const Options& options) {
   namespace table = scenes::quasistatic_scene;
   std::vector<HaloUse> rows = with_halos_of_levels(table::halos);
@@ -175,6 +182,7 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   Digest digest;
   arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) { add(digest, view); });
   const auto state = on.value(krylov.state);
+  const index_t bytes = most_of_ranks(arrays.transport(), traffic.bytes - before.bytes);
   const LocalSet& nodes = arrays.set("level[0].node");
   if (!ranks.is_first()) return;
   print(digest, norms, state);
@@ -182,8 +190,8 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   std::printf(" prepared %lld %lld solved %lld %lld bytes %lld gathered %lld cut %zu ghosts %zu of %lld",
               number_of(before.exchanges - of_plans.exchanges), number_of(before.gathers - of_plans.gathers),
               number_of(traffic.exchanges - before.exchanges), number_of(traffic.gathers - before.gathers),
-              number_of(traffic.bytes - before.bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut,
-              nodes.ghosts().size(), number_of(nodes.owned()));
+              number_of(bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut, nodes.ghosts().size(),
+              number_of(nodes.owned()));
   for (const std::string& kernel : on.unknown_kernels()) std::printf(" unknown %s", kernel.c_str());
   std::printf("\n");
 }

@@ -67,6 +67,16 @@ def multigrid_has_the_bits_of_one_process():
             assert counts["gathers"] == 3 * iterations + 2, (iterations, counts)
     options = "--preconditioner", "multigrid", "--cells", "8", "--coarsest", "2"  # ranks without nodes
     assert result(ranks(4, "conjugate_gradients", *options))[0] == one_process(*options)[0]
+    # What crosses is what a step reads: at most a tenth more than one plane of nodes, of three floats, in each exchange.
+    cells = 48
+    options = "--preconditioner", "multigrid", "--cells", str(cells), "--coarsest", "6"
+    wanted, iterations = one_process(*options)
+    found, counts, unknown = result(ranks(2, "conjugate_gradients", *options))
+    planes = counts["bytes"] / ((cells + 1) ** 2 * 12 * counts["exchanges"])
+    print(f"2 ranks: {counts}: {planes:.3f} planes in each exchange")
+    assert found == wanted and not unknown, f"{found} {unknown}"
+    assert counts["exchanges"] == 6 * iterations + 5 and counts["gathers"] == 3 * iterations + 2, (iterations, counts)
+    assert 0.5 < planes <= 1.10, planes
     # Two levels are cut: the second one's nodes are of two ranks, too.
     options = "--preconditioner", "multigrid", "--cells", "32", "--coarsest", "4"
     wanted, iterations = one_process(*options)

@@ -4,6 +4,7 @@
 //
 //   --seeds A B     seeds A .. B-1
 //   --without ROW   a row of the table is left out
+//   --lacking N     need N of each set (1: the first that is not of all ghosts) lacks an object of each message
 //   --rows          says how many rows of the table must be missed when they are left out
 //   --most N        nodes of the largest graph (default 5000)
 //   --pinned        on CUDA: through pinned memory and MPI, not by NCCL
@@ -15,6 +16,7 @@
 #include <string>
 
 #include "graph_body.h"
+#include "graph_mutants.h"
 #include "graph_steps.h"
 #include "graph_table.h"
 
@@ -91,10 +93,13 @@ index_t differences(const DistributedArrays& arrays, const Array& mine, const Ar
   const DistributedArray& array = arrays.arrays()[static_cast<std::size_t>(number)];
   const LocalSet& set = *arrays.sets()[static_cast<std::size_t>(array.set)].local;
   const auto &here = on_host(mine), &all = on_host(whole);
+  std::vector<char> is_stale(Graph::at(set.size()), 0);
+  for (const auto& [first, count] : stale_ghosts(arrays.sets()[Graph::at(array.set)], array.fresh[0]).runs) {
+    std::fill_n(is_stale.begin() + first, count, 1);
+  }
   index_t found = 0;
   for (index_t i = set.first(); i < set.last(); ++i) {
-    const bool is_owned = set.begin() <= i && i < set.end();
-    if (!is_owned && array.is_fresh[0] == 0) continue;
+    if (is_stale[Graph::at(i)] != 0) continue;
     for (int k = 0; k < Array::elements; ++k) found += here.getdata(i, k) == all.getdata(set.global(i), k) ? 0 : 1;
   }
   return found;
@@ -124,9 +129,16 @@ On make_plain(index_t objects) {
   }
 }
 
+/// What all seeds have shown.
+struct Found {
+  index_t differences = 0, exchanges = 0, overlapped = 0, bytes = 0;
+  std::size_t needs = 0;  ///< most of a set, and one of all ghosts
+};
+
 /// @return the differences on all ranks
 template <class On, class Body>
-index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most, bool uses_nccl, index_t& overlapped) {
+index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most, bool uses_nccl, int lacking,
+                 Found& of_seeds) {
   std::mt19937 random(seed);
   const auto nodes = static_cast<index_t>(1 + random() % static_cast<unsigned long>(seed % 5 == 0 ? 64 : most));
   const Graph graph(nodes, random);
@@ -156,12 +168,16 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
     if (one < 19 || follows) program.push_back(one);  // what reads through two index fields needs a set that follows
   }
   for (int k = 0; k < 20; ++k) program.push_back(static_cast<int>(random() % (follows ? 20 : 19)));
+  std::set<int> lack_it;
   for (const int chosen : program) {
     step(plain, whole, chosen);
     step(on, mine, chosen);
+    if (lacking > 0) drop_objects(arrays, lacking, lack_it);
   }
+  for (const DistributedSet& set : arrays.sets()) of_seeds.needs = std::max(of_seeds.needs, set.needs.size());
   plain.wait();
   on.wait();
+  const Traffic traffic = on.traffic();
   index_t found = differences(arrays, mine.positions, whole.positions) +
                   differences(arrays, mine.forces, whole.forces) + differences(arrays, mine.springs, whole.springs) +
                   differences(arrays, mine.means, whole.means) + differences(arrays, mine.shares, whole.shares) +
@@ -172,32 +188,22 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
            differences_behind_taking(arrays, ranks, mine.quads, whole.quads) +
            differences_behind_taking(arrays, ranks, mine.links, whole.links) +
            differences_behind_taking(arrays, ranks, mine.homes, whole.homes);
-  const std::array<index_t, 2> mine_of_both{found, on.traffic().overlapped};
-  std::vector<std::array<index_t, 2>> of_all(static_cast<std::size_t>(ranks.count()));
-  const std::vector<index_t> sizes(of_all.size(), sizeof mine_of_both);
-  arrays.transport().gather(std::as_bytes(std::span(mine_of_both)), sizes, std::as_writable_bytes(std::span(of_all)));
+  const std::array<index_t, 3> counts{found, traffic.overlapped, traffic.bytes};
+  std::vector<std::array<index_t, 3>> of_all(static_cast<std::size_t>(ranks.count()));
+  const std::vector<index_t> sizes(of_all.size(), sizeof counts);
+  arrays.transport().gather(std::as_bytes(std::span(counts)), sizes, std::as_writable_bytes(std::span(of_all)));
+  of_seeds.exchanges += traffic.exchanges;
   index_t sum = 0;
-  for (const auto& [differences_there, overlapped_there] : of_all) {
+  for (const auto& [differences_there, overlapped_there, bytes_there] : of_all) {
     sum += differences_there;
-    overlapped += overlapped_there;
+    of_seeds.overlapped += overlapped_there;
+    of_seeds.bytes += bytes_there;
   }
   if (sum > 0 && ranks.is_first()) {
     std::printf("seed %u: %lld nodes, %zu edges, %zu quads: %lld differences\n", seed, static_cast<long long>(nodes),
                 graph.edges.size(), graph.quads.size(), static_cast<long long>(sum));
   }
   return sum;
-}
-
-/// The table without a row: a view that would have none then has one that says that nothing is used.
-inline std::vector<HaloUse> without(std::size_t row) {
-  std::vector<HaloUse> rows(std::begin(table), std::end(table));
-  const HaloUse removed = rows.at(row);
-  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
-  for (const HaloUse& other : rows) {
-    if (other.kernel == removed.kernel && other.view == removed.view) return rows;
-  }
-  rows.push_back({removed.kernel, removed.view, "", {}, {}});
-  return rows;
 }
 
 template <class On>
@@ -211,6 +217,7 @@ int run(int argc, char** argv) {
   unsigned first = 0, last = 20;
   index_t most = 5000;
   bool uses_nccl = true;
+  int lacking = 0;
   std::vector<HaloUse> uses(std::begin(table), std::end(table));
   for (int a = 1; a < argc; ++a) uses_nccl = uses_nccl && argv[a] != std::string("--pinned");
   for (int a = 1; a + 1 < argc; ++a) {
@@ -219,27 +226,34 @@ int run(int argc, char** argv) {
       first = static_cast<unsigned>(std::atoi(argv[a + 1]));
       last = static_cast<unsigned>(std::atoi(argv[a + 2]));
     }
+    if (what == "--lacking") lacking = std::atoi(argv[a + 1]);
     if (what == "--most") most = std::atoi(argv[a + 1]);
     if (what == "--without") uses = without(static_cast<std::size_t>(std::atoi(argv[a + 1])));
   }
-  index_t found = 0, overlapped = 0;
+  Found found;
+  const auto run_in = [&]<class Body>(unsigned seed) {
+    found.differences += run_seed<On, Body>(ranks, uses, seed, most, uses_nccl, lacking, found);
+  };
   for (unsigned seed = first; seed < last; ++seed) {
     ranks.guard([&] {
       // nvcc takes minutes for each of these.
       constexpr bool has_all = std::is_same_v<Space, Host>;
       if constexpr (has_all) {
-        if (seed % 3 == 0) found += run_seed<On, InFloat<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
+        if (seed % 3 == 0) run_in.template operator()<InFloat<Space>>(seed);
       }
-      if (seed % 3 == 1) found += run_seed<On, InDouble<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
-      if (seed % 3 == 2 || (!has_all && seed % 3 == 0)) {
-        found += run_seed<On, InHalf<Space>>(ranks, uses, seed, most, uses_nccl, overlapped);
-      }
+      if (seed % 3 == 1) run_in.template operator()<InDouble<Space>>(seed);
+      if (seed % 3 == 2 || (!has_all && seed % 3 == 0)) run_in.template operator()<InHalf<Space>>(seed);
     });
   }
   if (ranks.is_first())
-    std::printf("seeds %u to %u on %d ranks: %lld differences, %lld exchanges overlapped\n", first, last - 1,
-                ranks.count(), static_cast<long long>(found), static_cast<long long>(overlapped));
-  return found == 0 ? 0 : 3;
+    std::printf(
+        "seeds %u to %u on %d ranks: %lld differences, %lld exchanges of %lld bytes, %lld exchanges overlapped, %zu "
+        "needs "
+        "of a set\n",
+        first, last - 1, ranks.count(), static_cast<long long>(found.differences),
+        static_cast<long long>(found.exchanges), static_cast<long long>(found.bytes),
+        static_cast<long long>(found.overlapped), found.needs);
+  return found.differences == 0 ? 0 : 3;
 }
 
 }  // namespace graphs

@@ -100,7 +100,7 @@ class Steps : public testing::Test {
     return is_fresh(array);
   }
   bool is_fresh(const auto& array) const {
-    return arrays.arrays()[static_cast<std::size_t>(arrays.find(array.untyped().base))].is_fresh[0] != 0;
+    return arrays.arrays()[static_cast<std::size_t>(arrays.find(array.untyped().base))].fresh[0] == all_ghosts;
   }
   static std::string message_of(const auto& body) {
     try {

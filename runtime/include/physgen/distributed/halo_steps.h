@@ -13,12 +13,13 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace physgen {
 
 /// A field of a ghost is fresh where it has its owner's value. All ranks run the same steps, so each knows of every
-/// field whether it is fresh, without asking.
+/// field for which needs (halo_needs.h) it is fresh, without asking.
 class HaloSteps {
  public:
   /// A kernel of a step, and its views.
@@ -77,10 +78,15 @@ class HaloSteps {
 
  private:
   using Field = HaloField;
+  struct Needs {
+    int of_owned = 0;   ///< where it is called for owned objects
+    int of_ghosts = 0;  ///< and for ghosts, too
+  };
   struct Step {
     int set = -1;              ///< that it runs over
     bool is_gathered = false;  ///< whether ranks compute parts of a set that all have, since it reads parts of others
-    std::set<Field> own, gathered, written;
+    std::set<Field> own, written;
+    std::map<Field, Needs> gathered;
     bool is_known = true;           ///< whether the table says all of what it reads of others
     bool reaches_on_ghosts = true;  ///< whether all that an object reads of others is here for ghosts, too
   };
@@ -111,8 +117,17 @@ class HaloSteps {
   void check_writes(const Use& use, int set) const;
   /// @param uses all of the step
   void add_gathered(Step& step, const Use& use, const std::vector<Use>& uses) const;
-  [[nodiscard]] bool is_fresh(const Field& field) const;
-  void begin_exchange(const std::vector<Field>& fields);
+  /// The index fields that a row of a use means by a name. @param uses all of the step
+  [[nodiscard]] std::vector<const Partition::Naming*> namings_of(const Use& use, std::string_view through,
+                                                                 const std::vector<Use>& uses) const;
+  void find_needs(Step& step, const std::vector<Use>& uses) const;
+  [[nodiscard]] HaloNeedBits& fresh(const Field& field) const;
+  [[nodiscard]] HaloNeedBits& also(const Field& field) const;
+  /// Whether what a step writes of ghosts is right there, once what it reads has crossed, and is of use.
+  [[nodiscard]] bool can_be_of_ghosts(const Step& step) const;
+  /// What must cross before a step.
+  [[nodiscard]] std::vector<HaloFetch> stale_of(const Step& step);
+  void begin_exchange(const std::vector<HaloFetch>& fetches);
   /// Owned objects of a set that name no ghost of sets of which fields cross.
   [[nodiscard]] std::vector<Range> inner_of(const DistributedSet& over, Way way) const;
   [[nodiscard]] const DistributedSet& set_of_array(int array) const;

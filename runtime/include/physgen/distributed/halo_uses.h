@@ -41,7 +41,8 @@ struct HaloUse {
   int view;
   std::string_view field;  ///< "x"; "svd.U" of a nested object, "points.x" of a fixed array of them
   HaloAccess access;
-  /// The index fields that name the others, by array and field, "body.edges.nodes"; several are separated by ", ".
+  /// The index fields that name the others, by array and field, "body.edges.nodes"; all of them, separated by ", ". To
+  /// the ghosts to which these, and those that the kernel's other rows name, lead from its own objects fields cross.
   /// "level.edges.nodes" also means level[0].edges.nodes and level[1].edges.nodes, of arrays that are added with
   /// numbers. Empty where no others are used, or where it is not known: several ranks refuse a kernel that reads others
   /// so.

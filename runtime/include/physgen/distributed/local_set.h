@@ -41,6 +41,13 @@ class LocalSet {
     const auto number = static_cast<index_t>(g);
     return number < begin_ - first_ ? first_ + number : number + first_ + owned();
   }
+  [[nodiscard]] bool is_ghost(index_t local) const {
+    return (first_ <= local && local < begin_) || (end() <= local && local < last());
+  }
+  /// Which ghost has a local number. @pre is_ghost()
+  [[nodiscard]] std::size_t ghost_number(index_t local) const {
+    return static_cast<std::size_t>(local - first_ - (local < begin_ ? 0 : owned()));
+  }
 
  private:
   Runs runs_;

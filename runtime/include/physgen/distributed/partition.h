@@ -3,13 +3,15 @@
 #pragma once
 
 #include <physgen/arrays/untyped_array.h>
-#include <physgen/distributed/halo_plan.h>
+#include <physgen/distributed/halo_needs.h>
 #include <physgen/distributed/halo_uses.h>
 #include <physgen/distributed/local_set.h>
 #include <physgen/distributed/ranks.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +40,7 @@ struct DistributedSet {
   /// Of a replicated set whose objects name some of which ranks have parts: those that a rank computes for all, in
   /// steps that read what they name. Steps that read nothing of that compute all objects, on all ranks.
   std::optional<Runs> computed;
-  HaloPlan plan;
+  std::vector<HaloNeed> needs = {};   ///< behind cut() that of all ghosts, and as steps ask for them others
   std::vector<index_t> numbers = {};  ///< global ones, by local ones; none before they are asked for
   /// Of each group of local objects: bit s % 64 where one of them names a ghost of set s, by itself or through objects
   /// of sets that follow.
@@ -53,10 +55,14 @@ struct DistributedArray {
   const void* array;  ///< the caller's
   std::function<UntypedArray()> untyped;
   std::function<void(index_t)> resize;
-  int uniform_of = -1;              ///< the set that has this one record for all of its objects
-  UntypedArray memory = {};         ///< behind cut(), wherever a program moves or swaps its arrays to
-  std::vector<char> is_fresh = {};  ///< of each field: whether ghosts have their owners' values
-  std::vector<char> is_index = {};  ///< of each field: local numbers, which never cross
+  int uniform_of = -1;       ///< the set that has this one record for all of its objects
+  UntypedArray memory = {};  ///< behind cut(), wherever a program moves or swaps its arrays to
+  /// Of each field: the needs of which all ghosts have their owners' values.
+  std::vector<HaloNeedBits> fresh = {};
+  /// Of each field: needs for which it crosses, too, whenever it crosses, so that it does not have to cross once more.
+  std::vector<HaloNeedBits> also = {};
+  std::vector<char> is_gathered = {};  ///< of each field: whether a step so far has read it of others
+  std::vector<char> is_index = {};     ///< of each field: local numbers, which never cross
   /// Of each field of a replicated set: whether it names objects of which ranks have parts, itself or by rows. A rank
   /// has it of those objects alone that it computes.
   std::vector<char> names_parts = {};
@@ -105,12 +111,18 @@ class Partition {
   [[nodiscard]] std::vector<DistributedArray>& arrays() { return arrays_; }
   /// The array whose memory begins there, or -1.
   [[nodiscard]] int find(const std::byte* base) const;
-  /// An index field, "body.edges.nodes": the array that has it, the set of that, and the one that it names.
+  /// An index field, "body.edges.nodes": the array that has it, the set of that, the one that it names, and the number
+  /// of the connection; none (-1) of the places of rows.
   struct Naming {
     std::string field;
-    int source, target, array;
+    int source, target, array, connection = -1;
   };
   [[nodiscard]] const std::vector<Naming>& namings() const { return namings_; }
+  /// The need of the set that the last connections name. All ranks ask in the same order; they make the plan together
+  /// where it is a new one.
+  [[nodiscard]] int need_of(const HaloPath& path);
+  /// The need that has the ghosts of some needs of a set, likewise. @param needs one at least
+  [[nodiscard]] int need_of(int set, HaloNeedBits needs);
 
  protected:
   /// Appends the global numbers that an object names.
@@ -153,12 +165,18 @@ class Partition {
     int source, target;
     Named named;
     std::function<void()> store;  ///< local numbers, behind cut(); or none, where another connection does
+    /// Local numbers of an object that is computed here and of one that it names, where that is a ghost or leads to
+    /// one.
+    std::vector<std::array<index_t, 2>> to_ghosts = {};
   };
   void decide_runs();
   void decide_computed();
   void find_ghosts();
   void find_fields_that_name_parts();
   void find_reached();
+  void keep_what_leads_to_ghosts(const std::vector<std::vector<std::uint64_t>>& reached);
+  [[nodiscard]] std::vector<char> ghosts_of(const HaloPath& path) const;
+  [[nodiscard]] int add_need(int set, std::vector<char> has);
   [[nodiscard]] bool is_followed(int set) const;
 
   const Ranks& ranks_;
@@ -168,6 +186,8 @@ class Partition {
   std::vector<DistributedArray> arrays_;
   std::vector<Connection> connections_;
   std::vector<Naming> namings_;
+  std::map<HaloPath, int> needs_;
+  std::map<std::pair<int, HaloNeedBits>, int> joined_;  ///< needs, by set and those that each has
   bool is_cut_ = false;
 };
 

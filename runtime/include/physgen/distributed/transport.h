@@ -19,7 +19,7 @@ struct Message {
   std::span<std::byte> received;
 };
 
-/// What has crossed so far, seen from this rank.
+/// What has crossed so far, seen from this rank; without what ranks tell each other of their plans.
 struct Traffic {
   index_t exchanges = 0;       ///< begin() with a message, or of which others had one
   index_t messages = 0;        ///< sent
@@ -47,6 +47,11 @@ class Transport {
   void begin(std::span<const Message> messages);
   /// Waits until all that was begun is done.
   virtual void end() = 0;
+  /// begin() and end() of what ranks tell each other of what will cross, which is not counted.
+  void tell(std::span<const Message> messages) {
+    begin_messages(messages);
+    end();
+  }
   /// The bytes of every rank, in the order of ranks. @param sizes of each rank's bytes
   void gather(std::span<const std::byte> mine, std::span<const index_t> sizes, std::span<std::byte> all);
   /// @param given a number for each rank. @return the number that each rank gave this one

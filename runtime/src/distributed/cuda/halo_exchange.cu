@@ -6,7 +6,7 @@
 #include <physgen/memory/buffer.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -78,33 +78,23 @@ void move(const std::vector<Piece>& pieces, Stream stream, std::uint64_t bits = 
 class DeviceExchange final : public HaloExchange {
  public:
   DeviceExchange(Partition& arrays, Transport& transport, Stream stream)
-      : arrays_(arrays), transport_(transport), stream_(stream), lists_(arrays.sets().size()) {
+      : arrays_(arrays), transport_(transport), stream_(stream) {
     for (const DistributedArray& array : arrays.arrays()) {
       const bool has_objects = array.memory.bytes() > 0;
       if (!has_objects || array.memory.space == SpaceKind::cuda) continue;
       throw Error("array " + array.name + " lies in " + name(array.memory.space) +
                   " memory, and the executor runs on CUDA; give arrays of Cuda");
     }
-    for (std::size_t s = 0; s < lists_.size(); ++s) {
-      for (const HaloPlan::Peer& peer : arrays.sets()[s].plan.peers) {
-        const auto bytes = static_cast<index_t>(peer.sent.size() * sizeof(index_t));
-        Buffer& list = lists_[s].emplace_back(SpaceKind::cuda, bytes, "numbers of objects that others have as ghosts");
-        if (bytes > 0) {
-          copy_memory(list.data(), SpaceKind::cuda, reinterpret_cast<const std::byte*>(peer.sent.data()),
-                      SpaceKind::host, bytes);
-        }
-      }
-    }
   }
 
-  void begin(std::span<const HaloField> fields) override {
+  void begin(std::span<const HaloFetch> fetches) override {
     const auto ranks = static_cast<std::size_t>(transport_.count());
     // Where each rank's message lies, then where each field does in it.
     std::vector<index_t> sent(ranks + 1, 0), received(ranks + 1, 0);
-    each(fields, [&](const HaloPlan::Peer& peer, const FieldInfo& info, const auto&) {
+    each(fetches, [&](const HaloPlan::Peer& peer, const FieldInfo& info, const auto&) {
       const auto r = static_cast<std::size_t>(peer.rank);
-      sent[r + 1] += bytes_of(info, static_cast<index_t>(peer.sent.size()));
-      received[r + 1] += bytes_of(info, peer.last - peer.first);
+      sent[r + 1] += bytes_of(info, peer.sent.count);
+      received[r + 1] += bytes_of(info, peer.received.count);
     });
     for (std::size_t r = 0; r < ranks; ++r) {
       sent[r + 1] += sent[r];
@@ -122,19 +112,14 @@ class DeviceExchange final : public HaloExchange {
     }
     std::vector<Piece> packed;
     unpacked_.clear();
-    each(fields, [&](const HaloPlan::Peer& peer, const FieldInfo& info, const auto& place) {
+    each(fetches, [&](const HaloPlan::Peer& peer, const FieldInfo& info, const Place& place) {
       const auto r = static_cast<std::size_t>(peer.rank);
-      const auto count = static_cast<index_t>(peer.sent.size());
-      const int size = element_bytes(info.type);
-      const auto piece = [&](const index_t* objects, index_t first, index_t objects_count, std::byte* bytes) {
-        return Piece{place.array, objects, first, objects_count, info.offset, size, info.count, bytes};
-      };
-      if (count > 0) packed.push_back(piece(place.list, 0, count, sent_.data() + sent[r]));
-      if (peer.last > peer.first) {
-        unpacked_.push_back(piece(nullptr, peer.first, peer.last - peer.first, received_.data() + received[r]));
+      if (peer.sent.count > 0) packed.push_back(piece_of(place.array, info, place.lists.sent, sent_.data() + sent[r]));
+      if (peer.received.count > 0) {
+        unpacked_.push_back(piece_of(place.array, info, place.lists.received, received_.data() + received[r]));
       }
-      sent[r] += bytes_of(info, count);
-      received[r] += bytes_of(info, peer.last - peer.first);
+      sent[r] += bytes_of(info, peer.sent.count);
+      received[r] += bytes_of(info, peer.received.count);
     });
     move<Way::pack>(packed, stream_);
     transport_.begin(messages);
@@ -179,25 +164,63 @@ class DeviceExchange final : public HaloExchange {
     move<Way::unpack>(others, stream_);
   }
 
-  void poison(const HaloField& field) override {
+  void poison(const HaloField& field, HaloNeedBits fresh) override {
     const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
-    const LocalSet& objects = *arrays_.sets()[static_cast<std::size_t>(array.set)].local;
     const FieldInfo& info = array.memory.fields[static_cast<std::size_t>(field.field)];
     if (!info.is_stored()) return;
-    std::vector<Piece> pieces;
-    for (const auto& [begin, end] : {std::array{objects.first(), objects.begin()}, {objects.end(), objects.last()}}) {
-      if (begin >= end) continue;
-      pieces.push_back({detail::Addressing(array.memory), nullptr, begin, end - begin, info.offset,
-                        element_bytes(info.type), info.count, nullptr});
-    }
-    move<Way::poison>(pieces, stream_, bits_of_no_value(info.type));
+    // A need stays as it is, and so do the ghosts that none of some has.
+    const auto [found, is_new] = stale_.try_emplace({array.set, fresh});
+    if (is_new) found->second = List(stale_ghosts(arrays_.sets()[static_cast<std::size_t>(array.set)], fresh));
+    if (found->second.count == 0) return;
+    move<Way::poison>({piece_of(detail::Addressing(array.memory), info, found->second, nullptr)}, stream_,
+                      bits_of_no_value(info.type));
   }
 
  private:
+  /// Objects as a device reads them.
+  struct List {
+    Buffer numbers;  ///< none of objects that follow each other
+    index_t first = 0, count = 0;
+
+    List() = default;
+    explicit List(const ObjectRuns& objects) : count(objects.count) {
+      if (count > 0) first = objects.runs.front().first;
+      if (objects.runs.size() < 2) return;
+      std::vector<index_t> all;
+      for (const ObjectRuns::Run& run : objects.runs) {
+        for (index_t i = 0; i < run.count; ++i) all.push_back(run.first + i);
+      }
+      const auto bytes = static_cast<index_t>(all.size() * sizeof(index_t));
+      numbers = Buffer(SpaceKind::cuda, bytes, "numbers of objects that cross between ranks");
+      copy_memory(numbers.data(), SpaceKind::cuda, reinterpret_cast<const std::byte*>(all.data()), SpaceKind::host,
+                  bytes);
+    }
+  };
+  struct Lists {
+    List sent, received;
+  };
   struct Place {
     detail::Addressing array;
-    const index_t* list;
+    const Lists& lists;
   };
+  [[nodiscard]] static Piece piece_of(const detail::Addressing& array, const FieldInfo& info, const List& list,
+                                      std::byte* bytes) {
+    return {array,       list.numbers.bytes() > 0 ? reinterpret_cast<const index_t*>(list.numbers.data()) : nullptr,
+            list.first,  list.count,
+            info.offset, element_bytes(info.type),
+            info.count,  bytes};
+  }
+  /// Of the peers of a need. A round that is recorded finds them, since it was run before.
+  [[nodiscard]] const std::vector<Lists>& lists_of(int set, int need) {
+    const auto [found, is_new] = lists_.try_emplace({set, need});
+    if (is_new) {
+      const HaloNeed& of = arrays_.sets()[static_cast<std::size_t>(set)].needs[static_cast<std::size_t>(need)];
+      for (const HaloPlan::Peer& peer : of.plan.peers) {
+        found->second.push_back({List(peer.sent), List(peer.received)});
+      }
+    }
+    return found->second;
+  }
 
   template <class Use>
   void each_field(std::span<const HaloField> fields, const Use& use) const {
@@ -209,16 +232,15 @@ class DeviceExchange final : public HaloExchange {
   }
   /// Calls use(peer, info, place) for each field and each rank that has objects of it; all ranks in the same order.
   template <class Use>
-  void each(std::span<const HaloField> fields, const Use& use) const {
-    for (const HaloField& field : fields) {
+  void each(std::span<const HaloFetch> fetches, const Use& use) {
+    for (const auto& [field, need] : fetches) {
       const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
       const FieldInfo& info = array.memory.fields[static_cast<std::size_t>(field.field)];
       if (!info.is_stored()) continue;
-      const auto s = static_cast<std::size_t>(array.set);
-      const std::vector<HaloPlan::Peer>& peers = arrays_.sets()[s].plan.peers;
-      for (std::size_t p = 0; p < peers.size(); ++p) {
-        use(peers[p], info,
-            Place{detail::Addressing(array.memory), reinterpret_cast<const index_t*>(lists_[s][p].data())});
+      const std::vector<Lists>& lists = lists_of(array.set, need);
+      const HaloNeed& of = arrays_.sets()[static_cast<std::size_t>(array.set)].needs[static_cast<std::size_t>(need)];
+      for (std::size_t p = 0; p < lists.size(); ++p) {
+        use(of.plan.peers[p], info, Place{detail::Addressing(array.memory), lists[p]});
       }
     }
   }
@@ -236,7 +258,8 @@ class DeviceExchange final : public HaloExchange {
   Partition& arrays_;
   Transport& transport_;
   Stream stream_;
-  std::vector<std::vector<Buffer>> lists_;  ///< by set and peer: the objects that are sent
+  std::map<std::pair<int, int>, std::vector<Lists>> lists_;  ///< by set and need, of each peer
+  std::map<std::pair<int, HaloNeedBits>, List> stale_;       ///< by set and the needs that are fresh
   Buffer sent_, received_;
   std::vector<Buffer> outgrown_;  ///< graphs and work under way may have them
   std::vector<Piece> unpacked_;   ///< of the exchange that is under way

@@ -27,14 +27,18 @@ class RecordedRound {
   }
 
   struct State {
-    std::vector<char> is_fresh;            ///< of each array and field: ghosts have their owners' values
+    std::vector<HaloNeedBits> fresh;       ///< of each array and field: the needs of which ghosts have owners' values
+    std::vector<HaloNeedBits> also;        ///< of each array and field: the needs for which it crosses, too
+    std::vector<char> is_gathered;         ///< of each array and field
     std::vector<const std::byte*> memory;  ///< of each array, which a program may swap
     bool operator==(const State&) const = default;
   };
   [[nodiscard]] static State state_of(const Partition& arrays) {
     State state;
     for (const DistributedArray& array : arrays.arrays()) {
-      state.is_fresh.insert(state.is_fresh.end(), array.is_fresh.begin(), array.is_fresh.end());
+      state.fresh.insert(state.fresh.end(), array.fresh.begin(), array.fresh.end());
+      state.also.insert(state.also.end(), array.also.begin(), array.also.end());
+      state.is_gathered.insert(state.is_gathered.end(), array.is_gathered.begin(), array.is_gathered.end());
       state.memory.push_back(array.untyped().base);
     }
     return state;
