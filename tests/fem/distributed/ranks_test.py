@@ -100,30 +100,48 @@ def newton(done):
     return [line for line in lines if not line.startswith(beside)], steps, traffic, [line for line in lines if line.startswith(beside[1:])]
 
 
+def in_one_process(name, cells, *options):
+    """The lines of a program's ordinary way, which no options change, and the steps in them; of 20 cells in three chunks of tets."""
+    wanted, steps, _, chunks = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options, "--ordinary", "1"))
+    print(name, "\n".join(wanted))
+    assert len(steps) >= 3 and "result status 0" in "\n".join(wanted)
+    assert all(step["iterations"] > 10 and step["halvings"] == step["filtered"] == 0 for step in steps), steps
+    if cells == "20":
+        assert chunks == ["chunks 3"], chunks
+    found, _, _, _ = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options))
+    assert found == wanted, found
+    return wanted, steps
+
+
+def on_ranks(count, name, wanted, *options):
+    """Compares what several ranks print. Gives the exchanges and gathers of each step."""
+    found, _, traffic, unknown = newton(ranks(count, name, *options))
+    assert found == wanted, f"{count} ranks: {found}"
+    assert not unknown, unknown
+    print(f"{name} on {count} ranks: exchanges and gathers of each step {traffic}")
+    return traffic
+
+
+def expect_traffic(steps, traffic, patches):
+    """Directions cross for each product, and in each step the positions where it ends, and for patches the step itself. Two sums in each
+    iteration; and in each step one before the first, of the work, and of what evaluates its end: energy, forces, the least volume and the
+    patches' energy. The first step evaluates its beginning, too."""
+    for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
+        evaluation = 3 + patches
+        assert gathers == 2 * step["iterations"] + 2 + evaluation * (2 if step["step"] == 1 else 1), (step, gathers)
+        assert exchanges == step["iterations"] + 1 + patches, (step, exchanges)
+
+
 def newton_has_the_bits_of_one_process():
     """Newton's method has the bits of one process that goes its ordinary way: of each step, of the last linear solve, positions, forces and stiffness."""
-    for cells, counts in (("20", (1, 2, 3, 4)), ("12", (2, 4)), ("3", (4,))):  # of 12 cells two ranks own nodes, of 3 one
-        wanted, steps, _, chunks = newton(run(program("newton_without_mpi"), "--cells", cells, "--ordinary", "1"))
-        print("\n".join(wanted))
-        assert len(steps) >= 3 and "result status 0" in "\n".join(wanted)
-        assert all(step["iterations"] > 10 and step["halvings"] == step["filtered"] == 0 for step in steps), steps
-        if cells == "20":
-            assert chunks == ["chunks 3"], chunks
-        found, _, _, _ = newton(run(program("newton_without_mpi"), "--cells", cells))
-        assert found == wanted, found
+    # Of 12 cells two ranks own nodes, of 3 one.
+    for cells, patches, counts in (("20", 0, (1, 3)), ("12", 0, (2, 4)), ("3", 0, (4,)), ("20", 1, (1, 2, 3, 4)), ("3", 1, (4,))):
+        options = "--patches", str(patches)
+        wanted, steps = in_one_process("newton", cells, *options)
         for count in counts:
-            found, _, traffic, unknown = newton(ranks(count, "newton", "--cells", cells))
-            assert found == wanted, f"{count} ranks: {found}"
-            assert not unknown, unknown
-            if count == 1:
-                continue
-            print(f"{count} ranks: exchanges and gathers of each step {traffic}")
-            # Directions cross for each product, and positions once for each step. Two sums in each iteration; and in each step one before
-            # the first, of the work, and of what evaluates its end: energy, forces, and the least volume. The first evaluates its beginning.
-            for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
-                first = step["step"] == 1
-                assert gathers == 2 * step["iterations"] + (8 if first else 5), (step, gathers)
-                assert exchanges == step["iterations"] + 1, (step, exchanges)
+            traffic = on_ranks(count, "newton", wanted, "--cells", cells, *options)
+            if count > 1:
+                expect_traffic(steps, traffic, patches)
 
 
 sys.exit(run_case(globals()))

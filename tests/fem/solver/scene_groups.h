@@ -12,9 +12,10 @@
 
 namespace physgen::fem {
 
-/// Those of a scene whose tangents are assembled.
 /// @tparam Patches over which volumes are averaged, or NoArrays
-template <class BodyGroup, class Patches, class Chunk, class LevelGroup, class Krylov>
+/// @tparam Choices of the scene's program: AssembledOnMeshes or ByTets
+template <class BodyGroup, class Patches, class Chunk, class LevelGroup, class Krylov,
+          class Choices = AssembledOnMeshes>
 struct SceneGroups {
   BodyGroup body;
   Patches patches;
@@ -24,15 +25,18 @@ struct SceneGroups {
   MeshFacts facts;
   double spacing = 0;  ///< of the finest mesh [m]
 
+  /// @pre the settings' product is that of the choices
   SceneGroups(const Body& given, const SolverSettings& settings) {
     using Mesh = EquilibriumOver<float, BodyGroup, OverGroup<PatchesOver, Patches>, NoArrays, Chunk>;
-    using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes, LevelGroup, NoArrays, NoArrays, NoArrays>;
+    using Level = LevelOver<float, Host, StoredAsComputed, Choices, LevelGroup, NoArrays, NoArrays, NoArrays>;
+    constexpr TangentLists lists = Choices::assembled ? TangentLists::of_edges : TangentLists::of_nodes;
     LevelsInUse used = levels_in_use(given.levels, settings);
     const MeshLevel& finest = used.levels.front();
-    Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
+    Mesh mesh(finest, used.graphs.front(), false, lists, nullptr);
     store_loading(mesh, finest.fixed, given.loading.motion, given.loading.forces);
     facts.chunks = mesh.chunks;
     facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
+    facts.nodes = finest.mesh.nodes;
     facts.moves = true;
     spacing = mesh.spacing;
     body = std::move(mesh);

@@ -1,5 +1,6 @@
 // Products from the tangents of tets and patches alone, without blocks of edges.
 #include <cstdio>
+#include <cstring>
 
 #include "tangent_scene.h"
 
@@ -132,6 +133,35 @@ TEST(MatrixFree, product_is_refused_with_multigrid) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("requires one of the preconditioners block-jacobi or none"),
               std::string::npos);
+  }
+}
+
+/// @pre `lists` are of what `volume` can be averaged with
+template <class Real>
+void expect_that_chunks_change_no_bit(Volume volume, TangentLists lists) {
+  SCOPED_TRACE(std::string(name_of(volume)) + (lists == TangentLists::of_edges ? ", assembled, " : ", by tets, ") +
+               std::to_string(sizeof(Real)) + " bytes");
+  TangentScene<Real> scene(volume, lists);
+  const auto evaluator = make_evaluator<HostExecutor, typename TangentScene<Real>::Arrays>(
+      "stable-neo-hookean", {{1, 0.49}}, volume != Volume::tets);
+  (void)scene.evaluate(*evaluator, scene.at);
+  ASSERT_EQ(scene.arrays.chunks.size(), 1U);
+  const Vectors expected = product(scene, *evaluator, scene.direction);
+  for (const index_t count : {2, 3, 7}) {
+    scene.arrays.chunks =
+        make_tet_chunks(scene.levels[0].mesh, scene.graph.edges, (scene.arrays.tet_count() + count - 1) / count);
+    ASSERT_EQ(scene.arrays.chunks.size(), std::size_t(count));
+    const Vectors found = product(scene, *evaluator, scene.direction);
+    for (std::size_t n = 0; n < expected.size(); ++n) {
+      EXPECT_EQ(std::memcmp(found[n].data(), expected[n].data(), sizeof found[n]), 0) << count << " chunks, node " << n;
+    }
+  }
+}
+
+TEST(TangentProduct, has_the_same_bits_for_any_number_of_chunks_of_tets) {
+  for (const Volume volume : volumes) {
+    expect_that_chunks_change_no_bit<double>(volume, TangentLists::of_edges);
+    expect_that_chunks_change_no_bit<float>(volume, TangentLists::of_edges);
   }
 }
 

@@ -21,12 +21,12 @@ struct EdgePatchTangents {
   PatchTangentView tangent;  ///< quasistatic::PatchTangent
 };
 
-/// E(m, n) = df(m)/dx(n), as the sum over the edge's tets of -volume U K^(g_m, g_n) U^T, and over its patches of -k g_m
-/// g_n^T.
+/// E(m, n) = df(m)/dx(n), as the sum over the edge's patches of -k g_m g_n^T, and over its tets of -volume U K^(g_m,
+/// g_n) U^T, in this order: the bits do not depend on how many chunks of tets there are.
 template <class EdgeTets, class Patches, class TetTangentView, class EdgeStiffnessView>
 struct SumEdgeStiffness {
   using Scalar = typename EdgeStiffnessView::Precision;
-  TetChunk chunk;           ///< whose tets are added; with the first, the patches. Called with 0 .. chunk.edges() - 1
+  TetChunk chunk;           ///< whose tets are added; before the first, the patches. Called with 0 .. chunk.edges() - 1
   EdgeTets edge_tets;       ///< Rows of EdgeTetEntry
   Patches patches;          ///< NoEdgePatches or EdgePatchTangents
   TetTangentView tangent;   ///< quasistatic::TetTangent of the chunk
@@ -35,9 +35,13 @@ struct SumEdgeStiffness {
   PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using Matrix = Matrix3<Scalar>;
     const auto edge = object_of_part(chunk.first_edge, i);
-    Matrix sum = Matrix::Zero();
-    if (!chunk.is_first()) sum = edges[edge].E();
-    sum = edge_tets.fold(edge, sum, [&](const Matrix& total, const auto& entry) -> Matrix {
+    Matrix before = Matrix::Zero();
+    if (chunk.is_first()) {
+      before = sum_of_patches(edge);
+    } else {
+      before = edges[edge].E();
+    }
+    const Matrix sum = edge_tets.fold(edge, before, [&](const Matrix& total, const auto& entry) -> Matrix {
       const index_t t = EdgeTetEntry::element(entry);
       if (!chunk.has(t)) return total;
       const int local = EdgeTetEntry::local(entry), forward = local < 6 ? local : local - 6;
@@ -50,27 +54,28 @@ struct SumEdgeStiffness {
       const Vector3<Scalar> a = gradient(g, local < 6 ? first : second), b = gradient(g, local < 6 ? second : first);
       return total + multiply_transpose<Scalar>(multiply<Scalar>(U, tables.block(-a, b)), U);
     });
-    if constexpr (Patches::averages) {
-      if (chunk.is_first()) sum = add_patches(edge, sum);
-    }
     edges[edge].E() = sum;
   }
 
  private:
-  PHYSGEN_FUNCTION Matrix3<Scalar> add_patches(SingleObject auto edge, const Matrix3<Scalar>& sum) const {
+  PHYSGEN_FUNCTION Matrix3<Scalar> sum_of_patches(SingleObject auto edge) const {
     using Matrix = Matrix3<Scalar>;
-    return patches.edge_patches.sum(edge, sum, [&](const auto& entry) -> Matrix {
-      const int slots = EdgePatchEntry::local(entry);
-      const auto patch = patches.tangent[EdgePatchEntry::element(entry)];
-      const Scalar k = -Scalar(patch.k());
-      const auto g = patch.g();
-      const int m = 3 * (slots & 7), n = 3 * (slots >> 3);
-      Matrix block;
-      for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) block(r, c) = k * Scalar(g[m + r]) * Scalar(g[n + c]);
-      }
-      return block;
-    });
+    Matrix sum = Matrix::Zero();
+    if constexpr (Patches::averages) {
+      sum = patches.edge_patches.sum(edge, sum, [&](const auto& entry) -> Matrix {
+        const int slots = EdgePatchEntry::local(entry);
+        const auto patch = patches.tangent[EdgePatchEntry::element(entry)];
+        const Scalar k = -Scalar(patch.k());
+        const auto g = patch.g();
+        const int m = 3 * (slots & 7), n = 3 * (slots >> 3);
+        Matrix block;
+        for (int c = 0; c < 3; ++c) {
+          for (int r = 0; r < 3; ++r) block(r, c) = k * Scalar(g[m + r]) * Scalar(g[n + c]);
+        }
+        return block;
+      });
+    }
+    return sum;
   }
   PHYSGEN_FUNCTION static Vector3<Scalar> gradient(const Matrix3<Scalar>& g, int corner) {
     if (corner == 0) return -(g.col(0) + g.col(1) + g.col(2));
