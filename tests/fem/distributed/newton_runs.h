@@ -20,9 +20,7 @@ namespace physgen::fem {
 inline Body pressed_cube(Index cells, bool patches) {
   Body body = make_cube(
       cells, side, patches, 0.1, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
-      [](const Point& x) {
-        return x[2] == side ? Point{0.004, 0, -0.2 * side} : Point{};
-      });
+      [](const Point& x) { return x[2] == side ? Point{0.004, 0, -0.2 * side} : Point{}; });
   body.levels.resize(1);
   return body;
 }
