@@ -1,8 +1,6 @@
-#!/usr/bin/env python3
-"""Gives a header as Doxygen reads it: header_filter.py HEADER. The lines at its top, which say what it is for, become its description;
+"""Gives a header as Doxygen reads it. The lines at its top, which say what it is for, become its description;
 ranges as in `0 .. n-1` do not end a sentence."""
 import re
-import sys
 
 
 def described(top):
@@ -23,8 +21,3 @@ def filtered(text):
     text = re.sub(r"(?m)^( *///.*)$", lambda line: line[0].replace(" .. ", " &hellip; "), text)
     top = re.match(r"(?://(?!/)[^\n]*\n)+", text)
     return described(top.group()) + text[top.end() :] if top else text
-
-
-if __name__ == "__main__":
-    with open(sys.argv[1], encoding="utf-8") as file:
-        sys.stdout.write(filtered(file.read()))

@@ -12,7 +12,11 @@ PHYSGEN_VERSION=$(sed -n 's/^## \([0-9.]*\)$/\1/p;T;q' CHANGELOG.md)
 of_files() { find . -name build -prune -o -name '.*' -not -name . -prune -o -regex ".*\.\($1\)" -printf "$2\n" | sort -u | tr '\n' ' '; }
 PHYSGEN_PAGES=$(of_files md %P)
 PHYSGEN_PICTURES=$(of_files 'png\|svg' %h)  # their folders
-export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES PHYSGEN_PICTURES
+PHYSGEN_HEADERS='runtime/include/physgen tools/fem/kernels tools/fem/materials tools/fem/mesh tools/fem/numerics schemas/elasticity.h'
+export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES PHYSGEN_HEADERS PHYSGEN_PICTURES
 rm -rf "$PHYSGEN_SITE/html"
-doxygen tools/site/Doxyfile
+copies=$(mktemp -d)
+trap 'rm -rf "$copies"' EXIT
+tools/site/filtered_copies.py "$copies"
+(cd "$copies" && doxygen "$root/tools/site/Doxyfile")
 tools/site/check_links.py "$PHYSGEN_SITE/html"

@@ -1,12 +1,8 @@
-#!/usr/bin/env python3
-"""Gives a page of the tree as Doxygen reads it: page_filter.py PAGE. Headings get names, and links lead to these names, to pages of
+"""Gives a page of the tree as Doxygen reads it. Headings get names, and links lead to these names, to pages of
 headers, or, where the site has neither, only their text stays."""
 import os
-import pathlib
 import re
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 FENCED = re.compile(r"(?ms)^ *```.*?^ *```[^\n]*$")
 # A link, whose text may hold code; or code, in which brackets are C++.
 LINK_OR_CODE = re.compile(r"(?P<picture>!?)\[(?P<text>(?:[^\[\]`]|`[^`\n]*`)*)\]\((?P<target>[^)\s]+)\)|`(?:[^`\n]|\n(?!\n))*`")
@@ -51,12 +47,3 @@ def filtered(path, text, pages):
         parts.append(prose + (block.group() if block else ""))
         end = block.end() if block else end
     return "".join(parts)
-
-
-def main():
-    path = pathlib.Path(sys.argv[1]).resolve().relative_to(ROOT).as_posix()
-    sys.stdout.write(filtered(path, (ROOT / path).read_text(encoding="utf-8"), set(os.environ["PHYSGEN_PAGES"].split())))
-
-
-if __name__ == "__main__":
-    main()
