@@ -171,7 +171,8 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   arrays.add("krylov.direction", "level[0].node", krylov.direction);
   arrays.add("krylov.product", "level[0].node", krylov.product);
   arrays.cut();
-  fill_levels(arrays, levels, cube.graphs);
+  std::vector<EdgeSums> sums = fill_levels(arrays, levels, cube.graphs);
+  for (std::size_t l = 0; l < sums.size(); ++l) levels[l]->sums = std::move(sums[l]);
   arrays.fill(level.edge_stiffness, [](index_t edge) { return stiffness(edge); });
   arrays.fill(krylov.residual, [&](index_t node) { return cube.force(node); });
   DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});

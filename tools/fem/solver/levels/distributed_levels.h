@@ -4,7 +4,7 @@
 //   DistributedArrays arrays(ranks, with_halos_of_levels(scenes::quasistatic_scene::halos));
 //   add_levels(arrays, levels, graphs, levels_that_are_cut(graphs, ranks.count()));
 //   arrays.cut();
-//   fill_levels(arrays, levels, graphs);
+//   std::vector<EdgeSums> sums = fill_levels(arrays, levels, graphs);  // by which products go: level[l].sums
 #pragma once
 
 #include <fem/mesh/at.h>
@@ -15,9 +15,9 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
@@ -78,12 +78,12 @@ void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGrap
 }  // namespace detail
 
 /// Tells which arrays levels have, and what names what. Before cut().
-/// @param levels without objects, finest first. @param graphs of them, all of each; they outlive cut()
+/// @param levels pointers to groups of Level in solver_groups.h, without objects, finest first
+/// @param graphs of them, all of each; they outlive cut()
 /// @param cut the finest so many are cut
 /// @throw Error when one of them is of a background grid, or has more edges than lists can number
-template <class Level>
-void add_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& levels,
-                std::span<const LevelGraph> graphs, std::size_t cut) {
+template <class Levels>
+void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const LevelGraph> graphs, std::size_t cut) {
   for (std::size_t l = 0; l < graphs.size(); ++l) {
     const auto nodes = index_t{graphs[l].nodes}, edges = static_cast<index_t>(graphs[l].edges.size());
     if (graphs[l].is_grid || !graphs[l].grid_parents.empty()) {
@@ -102,7 +102,7 @@ void add_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& 
     if (is_inverted) arrays.add_replicated_set(detail::level_name(l, "coarse_pair"), nodes * nodes);
   }
   for (std::size_t l = 0; l < graphs.size(); ++l) {
-    Level& level = *levels[l];
+    auto& level = *levels[l];
     const LevelGraph& graph = graphs[l];
     const std::string node = detail::level_name(l, "node"), edge = detail::level_name(l, "edge");
     const auto add = [&](const char* name, const std::string& set, auto& array) {
@@ -139,14 +139,15 @@ void add_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& 
   }
 }
 
-/// Constraints, and the lists that products go by. Behind cut().
-template <class Level>
-void fill_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>& levels,
-                 std::span<const LevelGraph> graphs) {
+/// Fills in constraints. Behind cut(). @return the lists that products of each level go by
+template <class Levels>
+[[nodiscard]] std::vector<EdgeSums> fill_levels(DistributedArrays& arrays, const Levels& levels,
+                                                std::span<const LevelGraph> graphs) {
+  std::vector<EdgeSums> sums;
   for (std::size_t l = 0; l < graphs.size(); ++l) {
-    Level& level = *levels[l];
+    auto& level = *levels[l];
     arrays.fill(contents_of(level.constraints), [&](index_t node) {
-      typename decltype(level.constraints)::Value value{};
+      typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
       value.fixed = graphs[l].fixed[at(node)];
       return value;
     });
@@ -158,9 +159,11 @@ void fill_levels(DistributedArrays& arrays, std::vector<std::unique_ptr<Level>>&
       for (int k = 0; k < 2; ++k) ends[at(e)][static_cast<std::size_t>(k)] = view[e].nodes()[k];
     }
     const bool has_edges = edges.first() < edges.last();
-    level.sums = EdgeSums(static_cast<Index>(level.nodes()), ends, SpaceKind::host, sizeof(typename Level::Real),
-                          SumOrder::fixed, has_edges ? edges.first() : edges.size());
+    using Real = typename std::remove_cvref_t<decltype(level.edge_stiffness)>::Precision;
+    sums.emplace_back(static_cast<Index>(level.constraints.size()), ends, SpaceKind::host, sizeof(Real),
+                      SumOrder::fixed, has_edges ? edges.first() : edges.size());
   }
+  return sums;
 }
 
 }  // namespace physgen::fem

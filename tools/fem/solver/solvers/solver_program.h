@@ -1,5 +1,5 @@
 // The quasistatic solver as the program of a scene: over groups of arrays that the caller has made and filled, on one
-// mesh, in one material.
+// mesh, or on several that are nested, in one material.
 #pragma once
 
 #include <fem/solver/newton/implicit_step.h>
@@ -88,6 +88,16 @@ struct MeshFacts {
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
 
+/// One of the coarser meshes on which equilibrium is solved first. Its level is among those of SolverGroups, and has the
+/// sums.
+template <class Body, class Chunk, class Krylov>
+struct CoarserMesh {
+  Body body;
+  Chunk chunk;
+  Krylov krylov;
+  MeshFacts facts;
+};
+
 /// Takes the arrays of the groups and the sums of the facts, and gives them back when it ends.
 template <class On, class Types, class Groups>
 class SolverProgram : private NestedNewton<On, Types> {
@@ -98,22 +108,29 @@ class SolverProgram : private NestedNewton<On, Types> {
   using Nested::vectors_;
 
  public:
+  /// Those of the level below the finest first.
+  using Coarser = std::vector<CoarserMesh<typename Groups::Body, typename Groups::Chunk, typename Groups::Krylov>>;
+
+  /// @param coarser on how many coarser meshes equilibrium is solved first, without patches, rings and surface; or null
   template <class Material>
-  SolverProgram(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts, Groups groups)
+  SolverProgram(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts, Groups groups,
+                Coarser* coarser = nullptr)
       : Nested(
             on, settings,
             std::make_unique<typename Types::Material>(material, averages<typename Groups::Patches>(groups.patches) ||
                                                                      averages<typename Groups::Rings>(groups.rings)),
-            1),
+            coarser == nullptr ? 1 : 1 + coarser->size()),
         groups_(groups),
-        facts_(facts) {
-    arrays_.push_back(std::make_unique<typename Types::Arrays>(std::move(groups.body)));
+        facts_(facts),
+        coarser_(coarser) {
+    take_mesh(groups.body, groups.chunk, groups.krylov, facts);
+    if (coarser != nullptr) {
+      for (auto& mesh : *coarser) take_mesh(mesh.body, mesh.chunk, mesh.krylov, mesh.facts);
+    }
     auto& a = *arrays_.front();
-    a.chunks = facts.chunks;
     take(a.patches, groups.patches);
     take(a.rings, groups.rings);
     take(a.surface, groups.surface);
-    a.chunk_arrays = std::make_shared<typename Groups::Chunk>(std::move(groups.chunk));
     for_each_level([&](auto& group) {
       linear_.push_back(std::make_unique<typename Types::Level>(std::move(group)));
       auto& level = *linear_.back();
@@ -126,11 +143,6 @@ class SolverProgram : private NestedNewton<On, Types> {
     take(level.planes, groups.planes);
     where(level.planes, [&](auto& planes) { planes.per_area = facts.plane_stiffness; });
     for_each_inertia([](auto& over, auto& group) { take(over, group); });
-    vectors_.push_back(std::make_unique<typename Types::Vectors>(std::move(groups.krylov)));
-    this->loops_.emplace_back();
-    this->rounding_forces_.push_back(facts.rounding_force);
-    this->moves_.push_back(facts.moves);
-    this->all_prescribed_.push_back(facts.all_prescribed);
     this->reached_ = false;
   }
   SolverProgram(const SolverProgram&) = delete;
@@ -139,11 +151,14 @@ class SolverProgram : private NestedNewton<On, Types> {
     on_->wait();
     auto& a = *arrays_.front();
     auto& level = *linear_.front();
-    groups_.body = std::move(static_cast<typename Groups::Body&>(a));
+    give_back_mesh(0, groups_.body, groups_.chunk, groups_.krylov);
+    for (std::size_t k = 1; k < arrays_.size(); ++k) {
+      auto& mesh = (*coarser_)[k - 1];
+      give_back_mesh(k, mesh.body, mesh.chunk, mesh.krylov);
+    }
     give_back(a.patches, groups_.patches);
     give_back(a.rings, groups_.rings);
     give_back(a.surface, groups_.surface);
-    groups_.chunk = std::move(*a.chunk_arrays);
     std::size_t l = 0;
     for_each_level([&](auto& group) {
       if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
@@ -152,7 +167,6 @@ class SolverProgram : private NestedNewton<On, Types> {
     give_back(level.extra, groups_.extra);
     give_back(level.planes, groups_.planes);
     for_each_inertia([](auto& over, auto& group) { give_back(over, group); });
-    groups_.krylov = std::move(*vectors_.front());
   }
 
   using Nested::evaluate_stresses;
@@ -192,6 +206,23 @@ class SolverProgram : private NestedNewton<On, Types> {
       for (std::size_t l = 0; l < groups_.inertia.size(); ++l) body(linear_[l]->inertia, groups_.inertia[l]);
     }
   }
+  void take_mesh(typename Groups::Body& body, typename Groups::Chunk& chunk, typename Groups::Krylov& krylov,
+                 const MeshFacts& facts) {
+    arrays_.push_back(std::make_unique<typename Types::Arrays>(std::move(body)));
+    arrays_.back()->chunks = facts.chunks;
+    arrays_.back()->chunk_arrays = std::make_shared<typename Groups::Chunk>(std::move(chunk));
+    vectors_.push_back(std::make_unique<typename Types::Vectors>(std::move(krylov)));
+    this->loops_.emplace_back();
+    this->rounding_forces_.push_back(facts.rounding_force);
+    this->moves_.push_back(facts.moves);
+    this->all_prescribed_.push_back(facts.all_prescribed);
+  }
+  void give_back_mesh(std::size_t l, typename Groups::Body& body, typename Groups::Chunk& chunk,
+                      typename Groups::Krylov& krylov) {
+    body = std::move(static_cast<typename Groups::Body&>(*arrays_[l]));
+    chunk = std::move(*arrays_[l]->chunk_arrays);
+    krylov = std::move(*vectors_[l]);
+  }
   template <class Over, class Group>
   static void take(std::unique_ptr<Over>& to, Group& from) {
     to = std::make_unique<Over>(std::move(from));
@@ -205,6 +236,7 @@ class SolverProgram : private NestedNewton<On, Types> {
 
   Groups groups_;
   MeshFacts& facts_;
+  Coarser* coarser_;
 };
 
 /// @tparam Real of tangents
@@ -213,6 +245,13 @@ template <class Real, class Stored, class Choices, class On, class Material, cla
                                   const Groups& groups) {
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
                                                                                               facts, groups);
+}
+/// The same, which solves on coarser meshes first.
+template <class Real, class Stored, class Choices, class On, class Material, class Groups, class Mesh>
+[[nodiscard]] auto solver_program(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts,
+                                  const Groups& groups, std::vector<Mesh>& coarser) {
+  return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
+                                                                                              facts, groups, &coarser);
 }
 
 }  // namespace physgen::fem
