@@ -174,6 +174,7 @@ struct PartOfEquilibrium {
     const index_t nodes = body.rest.size(), edges = levels.front().edges.size();
     facts.nodes = whole.facts.nodes;
     facts.node_stiffness = whole.facts.node_stiffness;
+    facts.plane_stiffness = whole.facts.plane_stiffness;
     facts.rounding_force = whole.facts.rounding_force;
     facts.moves = whole.facts.moves;
     facts.chunks = {{0, body.tets.size(), 0, nodes, 0, edges}};

@@ -105,7 +105,7 @@ def in_one_process(name, cells, *options):
     wanted, steps, _, chunks = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options, "--ordinary", "1"))
     print(name, "\n".join(wanted))
     assert len(steps) >= 3 and "result status 0" in "\n".join(wanted)
-    assert all(step["iterations"] > 10 and step["halvings"] == step["filtered"] == 0 for step in steps), steps
+    assert all(step["iterations"] > 5 for step in steps), steps
     if cells == "20":
         assert chunks == ["chunks 3"], chunks
     found, _, _, _ = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options))
@@ -127,6 +127,7 @@ def expect_traffic(steps, traffic, patches):
     iteration; and in each step one before the first, of the work, and of what evaluates its end: energy, forces, the least volume and the
     patches' energy. The first step evaluates its beginning, too."""
     for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
+        assert step["halvings"] == step["filtered"] == 0, step
         evaluation = 3 + patches
         assert gathers == 2 * step["iterations"] + 2 + evaluation * (2 if step["step"] == 1 else 1), (step, gathers)
         assert exchanges == step["iterations"] + 1 + patches, (step, exchanges)
@@ -135,13 +136,40 @@ def expect_traffic(steps, traffic, patches):
 def newton_has_the_bits_of_one_process():
     """Newton's method has the bits of one process that goes its ordinary way: of each step, of the last linear solve, positions, forces and stiffness."""
     # Of 12 cells two ranks own nodes, of 3 one.
-    for cells, patches, counts in (("20", 0, (1, 3)), ("12", 0, (2, 4)), ("3", 0, (4,)), ("20", 1, (1, 2, 3, 4)), ("3", 1, (4,))):
+    for cells, patches, counts in (("20", 0, (3,)), ("20", 1, (1, 2, 3, 4)), ("12", 1, (2, 4)), ("3", 1, (4,))):
         options = "--patches", str(patches)
         wanted, steps = in_one_process("newton", cells, *options)
         for count in counts:
             traffic = on_ranks(count, "newton", wanted, "--cells", cells, *options)
             if count > 1:
                 expect_traffic(steps, traffic, patches)
+
+
+def newton_by_tets_has_the_bits_of_one_process():
+    """The same where products are those of tets and patches, without an assembled stiffness."""
+    for cells, counts in (("20", (2, 4)), ("3", (4,))):
+        wanted, steps = in_one_process("newton_by_tets", cells)
+        for count in counts:
+            expect_traffic(steps, on_ranks(count, "newton_by_tets", wanted, "--cells", cells), 1)
+
+
+def implicit_steps_have_the_bits_of_one_process():
+    """The same of steps of backward Euler: also of velocities, and of the kinetic energy of each."""
+    for cells, counts in (("20", (2, 4)), ("3", (4,))):
+        wanted, _ = in_one_process("implicit_steps", cells)
+        assert sum(line.startswith("status 0 kinetic 0x") for line in wanted) == 3, wanted
+        for count in counts:
+            on_ranks(count, "implicit_steps", wanted, "--cells", cells)
+
+
+def contact_has_the_bits_of_one_process():
+    """The same of rigid planes that push a body: also of the force and depth of each plane."""
+    for cells, counts in (("20", (2, 4)), ("3", (4,))):
+        wanted, _ = in_one_process("contact", cells)
+        forces = [float.fromhex(line.split()[2]) for line in wanted if line.startswith("plane force ")]
+        assert len(forces) == 2 and min(forces) > 0, wanted
+        for count in counts:
+            on_ranks(count, "contact", wanted, "--cells", cells)
 
 
 sys.exit(run_case(globals()))

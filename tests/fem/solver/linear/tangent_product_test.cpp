@@ -81,7 +81,7 @@ TEST(MatrixFree, newtons_method_finds_the_equilibrium_of_the_assembled_product) 
           ASSERT_EQ(a.status, NewtonStatus::converged);
           ASSERT_EQ(b.status, NewtonStatus::converged);
           EXPECT_NEAR(b.steps, a.steps, 1);
-          EXPECT_NEAR(b.iterations, a.iterations, 0.05 * a.iterations + 3);
+          EXPECT_NEAR(b.iterations, a.iterations, 0.1 * a.iterations + 3);  // rounding alone changes some by 9 %
           EXPECT_NEAR(b.energy / a.energy, 1, 1e-10);
         }
         EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * tangent_scene_side);
@@ -162,6 +162,9 @@ TEST(TangentProduct, has_the_same_bits_for_any_number_of_chunks_of_tets) {
   for (const Volume volume : volumes) {
     expect_that_chunks_change_no_bit<double>(volume, TangentLists::of_edges);
     expect_that_chunks_change_no_bit<float>(volume, TangentLists::of_edges);
+    if (volume == Volume::nodes) continue;  // refused by tets
+    expect_that_chunks_change_no_bit<double>(volume, TangentLists::of_nodes);
+    expect_that_chunks_change_no_bit<float>(volume, TangentLists::of_nodes);
   }
 }
 

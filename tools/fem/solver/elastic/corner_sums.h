@@ -11,7 +11,7 @@ namespace physgen::fem::detail {
 /// sum + the forces on a node of those of its tets that are in the chunk: column c - 1 of G at corner c > 0, minus all
 /// columns at corner 0.
 /// @param node_tets Rows of NodeTetEntry
-/// @param corners elasticity::CornerForces of the chunk
+/// @param corners elasticity::CornerForces of the chunk, whose numbers are rounded to Scalar before they are added
 template <class Scalar, class NodeTets, class CornerView>
 [[nodiscard]] PHYSGEN_FUNCTION inline Vector3<Scalar> add_corners(const TetChunk& chunk, const NodeTets& node_tets,
                                                                   const CornerView& corners, SingleObject auto node,
@@ -22,12 +22,12 @@ template <class Scalar, class NodeTets, class CornerView>
     const auto tet = corners[t - chunk.first_tet];
     const int corner = NodeTetEntry::local(entry);
     if (corner == 0) {
-      const Matrix3<Scalar> all = tet.G();
-      sum -= all.col(0) + all.col(1) + all.col(2);
+      const Matrix3<typename CornerView::Precision> all = tet.G();
+      sum -= (all.col(0) + all.col(1) + all.col(2)).template cast<Scalar>();
     } else {
       const auto G = tet.G();
       const int first = 3 * (corner - 1);
-      sum += Vector3<Scalar>(G[first], G[first + 1], G[first + 2]);
+      sum += Vector3<Scalar>(Scalar(G[first]), Scalar(G[first + 1]), Scalar(G[first + 2]));
     }
   });
   return sum;

@@ -164,32 +164,31 @@ struct NodePatchChanges {
   ChangeView changes;        ///< quasistatic::PatchChange
 };
 
-/// df += the changes of the forces of its tets, those of one chunk, and of its patches, in double.
+/// df += the changes of the forces of its patches, and of its tets, those of one chunk, in this order: the bits do not
+/// depend on how many chunks there are.
 template <class NodeTets, class CornerView, class Patches, class DifferentialView>
 struct SumDifferentials {
-  using Scalar = double;
-  TetChunk chunk;                  ///< with the first, patches are added. Called with 0 .. chunk.nodes() - 1
+  using Scalar = typename DifferentialView::Precision;
+  TetChunk chunk;                  ///< before the first, patches are added. Called with 0 .. chunk.nodes() - 1
   NodeTets node_tets;              ///< Rows of NodeTetEntry
   CornerView corners;              ///< elasticity::CornerForces: their change
   Patches patches;                 ///< NoNodePatches or NodePatchChanges
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential
 
   PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
-    using Real = typename DifferentialView::Precision;
-    using Vector = Vector3<double>;
+    using Vector = Vector3<Scalar>;
     const auto node = object_of_part(chunk.first_node, i);
-    Vector sum = detail::add_corners<double>(chunk, node_tets, corners, node, Vector::Zero());
+    Vector sum = differentials[node].df();
     if constexpr (Patches::averages) {
       if (chunk.is_first()) {
         sum = patches.node_patches.sum(node, sum, [&](const auto& entry) -> Vector {
           const index_t p = NodePatchEntry::element(entry);
-          const Real change = patches.changes[p].change();
-          const Vector3<Real> g = detail::patch_gradient<Real>(patches.tangent[p], NodePatchEntry::local(entry));
-          return Vector(double(g[0]), double(g[1]), double(g[2])) * -double(change);
+          const Scalar change = patches.changes[p].change();
+          return detail::patch_gradient<Scalar>(patches.tangent[p], NodePatchEntry::local(entry)) * -change;
         });
       }
     }
-    for (int k = 0; k < 3; ++k) differentials[node].df()[k] += static_cast<Real>(sum[k]);
+    differentials[node].df() = detail::add_corners<Scalar>(chunk, node_tets, corners, node, sum);
   }
 };
 

@@ -39,7 +39,7 @@ struct PlanesOver : Group {
 
   /// For kernels. @pre equilibrium is solved on the level
   [[nodiscard]] auto at(const AtLoad& load) const {
-    return RigidPlanes{per_area, load, this->planes.const_view(), this->areas.const_view()};
+    return RigidPlanes{per_area, load.load, load.touching, this->planes.const_view(), this->areas.const_view()};
   }
 
  private:

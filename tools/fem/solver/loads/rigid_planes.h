@@ -36,10 +36,10 @@ struct NoPlanes {
 template <class PlaneView, class AreaView>
 struct RigidPlanes {
   static constexpr bool push = true;
-  double stiffness;  ///< k [Pa/m]
-  AtLoad at;
-  PlaneView planes;  ///< contact::RigidPlane
-  AreaView areas;    ///< contact::NodeArea
+  double stiffness;       ///< k [Pa/m]
+  double load, touching;  ///< those of AtLoad
+  PlaneView planes;       ///< contact::RigidPlane
+  AreaView areas;         ///< contact::NodeArea
 
   /// The distance of a position behind a plane at a load [m]; below 0 in front of it.
   template <class Plane>
@@ -55,7 +55,7 @@ struct RigidPlanes {
     if (!(double(areas[node].area()) > 0)) return false;
     const auto p = planes[plane];
     const Vector3<double> along = detail::free_part<double>(Vector3<double>(p.normal().get()), constraint);
-    return dot3<double>(along, along) > 0 && depth(p, x, at.touching) >= 0;
+    return dot3<double>(along, along) > 0 && depth(p, x, touching) >= 0;
   }
 
   /// The sum over all planes on a node.
@@ -65,7 +65,7 @@ struct RigidPlanes {
     PlanePush sum;
     for (index_t plane = 0; plane < planes.size(); ++plane) {
       if (!touches(plane, node, x, constraint)) continue;
-      const double d = depth(planes[plane], x, at.load), force = stiffness * double(areas[node].area()) * d;
+      const double d = depth(planes[plane], x, load), force = stiffness * double(areas[node].area()) * d;
       sum.force += Vector3<double>(planes[plane].normal().get()) * force;
       sum.energy += 0.5 * force * d;
     }
@@ -141,8 +141,7 @@ struct PlaneDepth {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   PHYSGEN_FUNCTION double operator()(SingleObject auto node) const {
     const Vector3<double> x = positions[node].x();
-    return planes.touches(plane, node, x, constraints[node]) ? planes.depth(planes.planes[plane], x, planes.at.load)
-                                                             : 0;
+    return planes.touches(plane, node, x, constraints[node]) ? planes.depth(planes.planes[plane], x, planes.load) : 0;
   }
 };
 
