@@ -1,7 +1,9 @@
 // newton: the solver's own Newton's method of the scene quasistatic, for a cube of irregular tets that is pressed
-// between plates, preconditioned by the inverses of nodes' blocks, on as many ranks as it is started with.
+// between plates, preconditioned by the inverses of nodes' blocks or by multigrid, on as many ranks as it is started
+// with.
 //
 //   --cells N      along each side (default 12)
+//   --levels N     multigrid over so many meshes of regular tets
 //   --patches 1    volumes are averaged over patches of tets
 //   --ordinary 1   one process by the solver's ordinary way
 #include <quasistatic.halos.h>
@@ -34,10 +36,11 @@ struct Newton : NothingBesides {
 
 /// @tparam Patches over which volumes are averaged, or NoArrays
 template <class Patches>
-void run(const Ranks& ranks, Index cells, bool is_ordinary) {
+void run(const Ranks& ranks, Index cells, std::size_t levels, bool is_ordinary) {
   Newton newton;
+  if (levels > 1) newton.settings.newton.preconditioner.kind = Preconditioner::multigrid;
   SceneGroups<of_scene::Body<>, Patches, of_scene::Chunk<>, of_scene::Level<>, of_scene::Krylov<>> whole(
-      pressed_cube(cells, !std::is_same_v<Patches, NoArrays>), newton.settings);
+      pressed_cube(cells, !std::is_same_v<Patches, NoArrays>, levels), newton.settings);
   if (is_ordinary) return run_ordinary(whole, newton);
   run_on_ranks(ranks, of_scene::halos, whole, newton);
 }
@@ -45,7 +48,8 @@ void run(const Ranks& ranks, Index cells, bool is_ordinary) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_as_asked(argc, argv, [](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
-    (patches ? run<of_scene::Patches<>> : run<NoArrays>)(ranks, cells, ordinary);
+  const auto levels = static_cast<std::size_t>(asked(argc, argv, "--levels", 1));
+  return run_as_asked(argc, argv, [levels](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
+    (patches ? run<of_scene::Patches<>> : run<NoArrays>)(ranks, cells, levels, ordinary);
   });
 }

@@ -5,6 +5,7 @@
 
 #include <fem/solver/levels/level_halos.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,12 +17,13 @@
 
 namespace physgen::fem {
 
-/// A cube of irregular tets that is pressed between plates, on one mesh.
-inline Body pressed_cube(Index cells, bool patches) {
+/// A cube that is pressed between plates: on one mesh of irregular tets, or on so many meshes that halve cells.
+inline Body pressed_cube(Index cells, bool patches, std::size_t levels = 1) {
   Body body = make_cube(
-      cells, side, patches, 0.1, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
+      cells, side, patches, levels == 1 ? 0.1 : 0,
+      [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
       [](const Point& x) { return x[2] == side ? Point{0.004, 0, -0.2 * side} : Point{}; });
-  body.levels.resize(1);
+  body.levels.resize(std::min(levels, body.levels.size()));
   return body;
 }
 
@@ -89,6 +91,10 @@ Digests(bool, Each) -> Digests<Each>;
 
 /// What a program has besides the groups of PartOfEquilibrium: nothing. Programs that have more hide these.
 struct NothingBesides {
+  /// How many of the levels are cut.
+  [[nodiscard]] std::size_t cut(std::span<const LevelGraph> /*graphs*/, int /*ranks*/) const { return 1; }
+  /// The table of kernels, before it is used.
+  void change(std::vector<HaloUse>& /*rows*/) const {}
   /// Before the arrays are cut, and after it.
   void add_to(DistributedArrays& /*arrays*/) {}
   void fill(DistributedArrays& /*arrays*/) {}
@@ -111,8 +117,10 @@ void run_ordinary(Groups& groups, Program& program) {
 /// @param scene the table of kernels of its scene
 template <class Groups, class Program>
 void run_on_ranks(const Ranks& ranks, HaloUses scene, const Groups& whole, Program& program) {
-  const std::vector<HaloUse> rows = with_halos_of_levels(scene);
-  PartOfEquilibrium groups(ranks, rows, whole, [&](DistributedArrays& arrays) { program.add_to(arrays); });
+  std::vector<HaloUse> rows = with_halos_of_levels(scene);
+  program.change(rows);
+  PartOfEquilibrium groups(ranks, rows, whole, program.cut(whole.graphs, ranks.count()),
+                           [&](DistributedArrays& arrays) { program.add_to(arrays); });
   program.fill(groups.arrays);
   DistributedExecutor<HostExecutor> on(ranks, groups.arrays, {.poisons_stale_ghosts = true});
   Traffic before = on.traffic();
@@ -136,20 +144,20 @@ void run_on_ranks(const Ranks& ranks, HaloUses scene, const Groups& whole, Progr
   for (const std::string& kernel : on.unknown_kernels()) std::printf("unknown %s\n", kernel.c_str());
 }
 
+/// The number behind an option of the command line.
+inline int asked(int argc, char** argv, const std::string& option, int otherwise) {
+  for (int a = 1; a + 1 < argc; a += 2) {
+    if (argv[a] == option) return std::atoi(argv[a + 1]);
+  }
+  return otherwise;
+}
 /// What main() does. @param run run(ranks, cells, patches, ordinary) with what the command line says
 template <class Run>
 int run_as_asked(int argc, char** argv, const Run& run) {
   try {
     const Ranks ranks(argc, argv);
-    Index cells = 12;
-    bool patches = false, ordinary = false;
-    for (int a = 1; a + 1 < argc; a += 2) {
-      const std::string option = argv[a];
-      const int value = std::atoi(argv[a + 1]);
-      if (option == "--cells") cells = value;
-      if (option == "--patches") patches = value != 0;
-      if (option == "--ordinary") ordinary = value != 0;
-    }
+    const Index cells = asked(argc, argv, "--cells", 12);
+    const bool patches = asked(argc, argv, "--patches", 0) != 0, ordinary = asked(argc, argv, "--ordinary", 0) != 0;
     ranks.guard([&] { run(ranks, cells, patches, ordinary); });
     return 0;
   } catch (const std::exception& error) {

@@ -2,10 +2,11 @@
 // which are filled as the solver fills its own.
 #pragma once
 
+#include <fem/solver/levels/distributed_levels.h>
 #include <physgen/distributed/executor.h>
 
 #include <array>
-#include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -33,7 +34,59 @@ template <int kCount, class Array>
   };
 }
 
-/// The groups of arrays of SceneGroups, one level among them.
+/// Names of the sets of a mesh.
+struct MeshSets {
+  std::string node, tet, chunk_tet, kept_tet;
+};
+/// The arrays of a mesh and of its linear solves, without those of its edges.
+/// @param number of the mesh where there are several, as "[1]"
+template <class Body, class Chunk, class Krylov>
+void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, Body& body, Chunk& chunk,
+              Krylov& krylov, const Body& whole) {
+  const std::string of_body = "body" + number + ".", of_chunk = "chunk" + number + ".",
+                    of_krylov = "krylov" + number + ".";
+  arrays.add(of_body + "tets", sets.tet, body.tets.contents());
+  arrays.add(of_body + "node_tet_ranges", sets.node, body.node_tet_ranges.contents());
+  arrays.add(of_body + "rest", sets.node, body.rest.contents());
+  arrays.add(of_body + "positions", sets.node, body.positions);
+  arrays.add(of_body + "trial", sets.node, body.trial);
+  arrays.add(of_body + "kept", sets.node, body.kept);
+  arrays.add(of_body + "loads", sets.node, body.loads.contents());
+  arrays.add(of_body + "motion", sets.node, body.motion.contents());
+  arrays.add(of_body + "forces", sets.node, body.forces);
+  arrays.add(of_body + "trial_forces", sets.node, body.trial_forces);
+  arrays.add(of_body + "increment", sets.node, body.increment);
+  arrays.add(of_chunk + "corners", sets.chunk_tet, chunk.corners);
+  arrays.add(of_chunk + "tangent", sets.kept_tet, chunk.tangent);
+  arrays.add(of_krylov + "step", sets.node, krylov.step);
+  arrays.add(of_krylov + "residual", sets.node, krylov.residual);
+  arrays.add(of_krylov + "direction", sets.node, krylov.direction);
+  arrays.add(of_krylov + "product", sets.node, krylov.product);
+  arrays.connect(body.tets.contents(), "nodes", sets.node, nodes_of<4>(whole.tets));
+  arrays.connect_rows(body.node_tet_ranges.contents(), of_body + "node_tet_entries", body.node_tet_entries.contents(),
+                      "code", sets.tet, rows_of(whole.node_tet_ranges, whole.node_tet_entries), NodeTetEntry::bits);
+}
+/// What assembled tangents have besides.
+template <class Body>
+void add_edge_tets(DistributedArrays& arrays, const std::string& number, const std::string& edge,
+                   const std::string& kept_tet, Body& body, const Body& whole) {
+  const std::string of_body = "body" + number + ".";
+  arrays.add(of_body + "edge_tet_ranges", edge, body.edge_tet_ranges.contents());
+  arrays.connect_rows(body.edge_tet_ranges.contents(), of_body + "edge_tet_entries", body.edge_tet_entries.contents(),
+                      "code", kept_tet, rows_of(whole.edge_tet_ranges, whole.edge_tet_entries), EdgeTetEntry::bits);
+}
+/// As the solver fills its own. Behind cut().
+template <class Body, class Krylov>
+void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Body& whole) {
+  arrays.fill(body.rest.contents(), whole.rest);
+  for (auto* positions : {&body.positions, &body.trial, &body.kept}) arrays.fill(*positions, whole.rest);
+  arrays.fill(body.loads.contents(), whole.loads);
+  arrays.fill(body.motion.contents(), whole.motion);
+  body.state = whole.state;
+  krylov.state.resize(1);
+}
+
+/// The groups of arrays of SceneGroups.
 template <class Body, class Patches, class Chunk, class Level, class Krylov, class Choices>
 struct PartOfEquilibrium {
   using Whole = SceneGroups<Body, Patches, Chunk, Level, Krylov, Choices>;
@@ -41,20 +94,26 @@ struct PartOfEquilibrium {
   Body body;
   Patches patches;
   Chunk chunk;
-  std::vector<Level> levels = std::vector<Level>(1);
+  std::vector<Level> levels;
   Krylov krylov;
   MeshFacts facts;
 
   /// @param whole of the same mesh on each rank
+  /// @param cut the finest so many levels are cut
   /// @param add_more add_more(arrays) adds further arrays
   template <class AddMore>
-  PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, const AddMore& add_more)
-      : arrays(ranks, uses) {
+  PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, std::size_t cut, const AddMore& add_more)
+      : arrays(ranks, uses), levels(whole.levels.size()) {
     add_sets(whole);
-    add_body(whole);
-    add_linear();
+    if constexpr (Choices::assembled) {
+      add_levels(arrays, each_level(), whole.graphs, cut);
+      arrays.same_set("node", "level[0].node");
+    } else {
+      add_level();
+    }
+    add_mesh(arrays, "", {"node", "tet", "chunk_tet", "kept_tet"}, body, chunk, krylov, whole.body);
+    if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body);
     if constexpr (!std::is_same_v<Patches, NoArrays>) add_patches(whole);
-    if constexpr (Choices::assembled) add_edges(whole);
     add_more(arrays);
     arrays.cut();
     fill(whole);
@@ -62,6 +121,11 @@ struct PartOfEquilibrium {
   }
 
  private:
+  [[nodiscard]] std::vector<Level*> each_level() {
+    std::vector<Level*> each;
+    for (Level& level : levels) each.push_back(&level);
+    return each;
+  }
   void add_sets(const Whole& whole) {
     for (const char* set : {"node", "block_node"}) arrays.add_set(set, whole.body.rest.size());
     for (const char* set : {"tet", "chunk_tet", "kept_tet"}) arrays.add_set(set, whole.body.tets.size());
@@ -69,26 +133,8 @@ struct PartOfEquilibrium {
     for (const char* set : {"chunk_tet", "kept_tet"}) arrays.same_set(set, "tet");
     arrays.follow("tet", "node");
   }
-  void add_body(const Whole& whole) {
-    arrays.add("body.tets", "tet", body.tets.contents());
-    arrays.add("body.node_tet_ranges", "node", body.node_tet_ranges.contents());
-    arrays.add("body.rest", "node", body.rest.contents());
-    arrays.add("body.positions", "node", body.positions);
-    arrays.add("body.trial", "node", body.trial);
-    arrays.add("body.kept", "node", body.kept);
-    arrays.add("body.loads", "node", body.loads.contents());
-    arrays.add("body.motion", "node", body.motion.contents());
-    arrays.add("body.forces", "node", body.forces);
-    arrays.add("body.trial_forces", "node", body.trial_forces);
-    arrays.add("body.increment", "node", body.increment);
-    arrays.add("chunk.corners", "chunk_tet", chunk.corners);
-    arrays.add("chunk.tangent", "kept_tet", chunk.tangent);
-    const auto& all = whole.body;
-    arrays.connect(body.tets.contents(), "nodes", "node", nodes_of<4>(all.tets));
-    arrays.connect_rows(body.node_tet_ranges.contents(), "body.node_tet_entries", body.node_tet_entries.contents(),
-                        "code", "tet", rows_of(all.node_tet_ranges, all.node_tet_entries), NodeTetEntry::bits);
-  }
-  void add_linear() {
+  /// That of tangents that are not assembled.
+  void add_level() {
     Level& level = levels.front();
     arrays.add("level.constraints", "node", level.constraints.contents());
     arrays.add("level.node_stiffness", "block_node", level.node_stiffness);
@@ -96,10 +142,6 @@ struct PartOfEquilibrium {
     arrays.add("level.inverse", "block_node", level.inverse);
     arrays.add("level.residual", "node", level.residual);
     arrays.add("level.correction", "node", level.correction);
-    arrays.add("krylov.step", "node", krylov.step);
-    arrays.add("krylov.residual", "node", krylov.residual);
-    arrays.add("krylov.direction", "node", krylov.direction);
-    arrays.add("krylov.product", "node", krylov.product);
   }
   void add_patches(const Whole& whole) {
     const auto& all = whole.patches;
@@ -118,7 +160,11 @@ struct PartOfEquilibrium {
     arrays.connect_rows(patches.patch_tet_ranges.contents(), "patches.patch_tet_entries",
                         patches.patch_tet_entries.contents(), "tet", "tet",
                         rows_of(all.patch_tet_ranges, all.patch_tet_entries));
-    if constexpr (!Choices::assembled) add_node_patches(whole);
+    if constexpr (Choices::assembled) {
+      add_edge_patches(all);
+    } else {
+      add_node_patches(whole);
+    }
   }
   /// Where nodes gather from patches.
   void add_node_patches(const Whole& whole) {
@@ -131,45 +177,21 @@ struct PartOfEquilibrium {
                         patches.node_patch_entries.contents(), "code", "patch",
                         rows_of(all.node_patch_ranges, all.node_patch_entries), NodePatchEntry::bits);
   }
-  /// What assembled tangents have besides.
-  void add_edges(const Whole& whole) {
-    Level& level = levels.front();
-    const auto& system = whole.levels.front();
-    arrays.add_set("edge_node", whole.body.rest.size());
-    arrays.same_set("edge_node", "node");
-    arrays.add_set("edge", system.edges.size());
-    arrays.follow("edge", "node");
-    arrays.add("body.edge_tet_ranges", "edge", body.edge_tet_ranges.contents());
-    arrays.add("level.edges", "edge", level.edges.contents());
-    arrays.add("level.node_edge_ranges", "edge_node", level.node_edge_ranges.contents());
-    arrays.add("level.edge_stiffness", "edge", level.edge_stiffness);
-    arrays.add("level.scaled_nodes", "edge_node", level.scaled_nodes);
-    arrays.connect(level.edges.contents(), "nodes", "node", nodes_of<2>(system.edges));
-    arrays.connect_rows(body.edge_tet_ranges.contents(), "body.edge_tet_entries", body.edge_tet_entries.contents(),
-                        "code", "kept_tet", rows_of(whole.body.edge_tet_ranges, whole.body.edge_tet_entries),
-                        EdgeTetEntry::bits);
-    arrays.connect_rows(level.node_edge_ranges.contents(), "level.node_edge_entries",
-                        level.node_edge_entries.contents(), "code", "edge",
-                        rows_of(system.node_edge_ranges, system.node_edge_entries), NodeEdgeEntry::bits);
-    if constexpr (!std::is_same_v<Patches, NoArrays>) add_edge_patches(whole.patches);
-  }
   void add_edge_patches(const Patches& all) {
-    arrays.add("patches.edge_patch_ranges", "edge", patches.edge_patch_ranges.contents());
+    arrays.add("patches.edge_patch_ranges", "level[0].edge", patches.edge_patch_ranges.contents());
     arrays.connect_rows(patches.edge_patch_ranges.contents(), "patches.edge_patch_entries",
                         patches.edge_patch_entries.contents(), "code", "patch",
                         rows_of(all.edge_patch_ranges, all.edge_patch_entries), EdgePatchEntry::bits);
   }
   void fill(const Whole& whole) {
-    const auto& all = whole.body;
-    arrays.fill(body.rest.contents(), all.rest);
-    for (auto* positions : {&body.positions, &body.trial, &body.kept}) arrays.fill(*positions, all.rest);
-    arrays.fill(body.loads.contents(), all.loads);
-    arrays.fill(body.motion.contents(), all.motion);
-    arrays.fill(levels.front().constraints.contents(), whole.levels.front().constraints);
-    body.state = all.state;
-    krylov.state.resize(1);
+    fill_mesh(arrays, body, krylov, whole.body);
+    if constexpr (Choices::assembled) {
+      facts.sums = fill_levels(arrays, each_level(), whole.graphs);
+    } else {
+      arrays.fill(levels.front().constraints.contents(), whole.levels.front().constraints);
+    }
   }
-  /// One chunk for all tets that are here, and lists of the edges that are here.
+  /// One chunk for all tets that are here.
   void note_facts(const Whole& whole) {
     const index_t nodes = body.rest.size(), edges = levels.front().edges.size();
     facts.nodes = whole.facts.nodes;
@@ -178,15 +200,6 @@ struct PartOfEquilibrium {
     facts.rounding_force = whole.facts.rounding_force;
     facts.moves = whole.facts.moves;
     facts.chunks = {{0, body.tets.size(), 0, nodes, 0, edges}};
-    if constexpr (Choices::assembled) note_sums(arrays.set("edge"));
-  }
-  void note_sums(const LocalSet& edges) {
-    std::vector<std::array<Index, 2>> ends(static_cast<std::size_t>(edges.size()));
-    const auto ends_of = nodes_of<2>(levels.front().edges);
-    for (index_t e = edges.first(); e < edges.last(); ++e) ends[static_cast<std::size_t>(e)] = ends_of(e);
-    const bool has_edges = edges.first() < edges.last();
-    facts.sums.emplace_back(static_cast<Index>(body.rest.size()), ends, SpaceKind::host, sizeof(float), SumOrder::fixed,
-                            has_edges ? edges.first() : edges.size());
   }
 };
 

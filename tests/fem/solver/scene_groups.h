@@ -21,6 +21,7 @@ struct SceneGroups {
   Patches patches;
   Chunk chunk;
   std::vector<LevelGroup> levels;
+  std::vector<LevelGraph> graphs;  ///< of the levels
   Krylov krylov;
   MeshFacts facts;
   double spacing = 0;  ///< of the finest mesh [m]
@@ -42,6 +43,7 @@ struct SceneGroups {
     body = std::move(mesh);
     where(mesh.patches, [&](auto& over) { patches = std::move(over); });
     chunk = std::move(*mesh.chunk_arrays);
+    graphs = used.graphs;
     for (auto& level : make_linear_levels<Level>(used, settings)) {
       facts.sums.push_back(std::move(level->sums));
       levels.push_back(std::move(*level));

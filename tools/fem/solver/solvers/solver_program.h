@@ -88,8 +88,8 @@ struct MeshFacts {
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
 
-/// One of the coarser meshes on which equilibrium is solved first. Its level is among those of SolverGroups, and has the
-/// sums.
+/// One of the coarser meshes on which equilibrium is solved first. Its level is among those of SolverGroups, and has
+/// the sums.
 template <class Body, class Chunk, class Krylov>
 struct CoarserMesh {
   Body body;
@@ -246,10 +246,13 @@ template <class Real, class Stored, class Choices, class On, class Material, cla
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
                                                                                               facts, groups);
 }
-/// The same, which solves on coarser meshes first.
+/// The same, which solves on coarser meshes first. @pre volumes are not averaged, and no pressures follow the surface
 template <class Real, class Stored, class Choices, class On, class Material, class Groups, class Mesh>
 [[nodiscard]] auto solver_program(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts,
                                   const Groups& groups, std::vector<Mesh>& coarser) {
+  static_assert(
+      std::is_same_v<typename Groups::Patches, NoArrays> && std::is_same_v<typename Groups::Rings, NoArrays> &&
+      std::is_same_v<typename Groups::Surface, NoArrays> && std::is_same_v<typename Groups::Planes, NoArrays>);
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
                                                                                               facts, groups, &coarser);
 }
