@@ -210,7 +210,12 @@ def multigrid_in_newton_has_the_bits_of_one_process():
                 expect_traffic_of_levels(steps, traffic, **traits)
     wanted, _ = in_one_process("nested_newton", "8")
     on_ranks(4, "nested_newton", wanted, "--cells", "8")  # ranks without nodes
-    status, output, errors, _ = ranks(2, "nested_newton", "--cells", "24", "--replicate", "2000")
+    rows = run(program("nested_newton_without_mpi"), "--rows", "1")[1].splitlines()
+    for row in ("SymmetricProduct 3 dx reads others", "RestrictResidual 4 df reads others"):  # what they read of others is poisoned
+        number = next(line.split()[0] for line in rows if line.endswith(row))
+        status, output, errors, _ = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
+        assert status == 0 and "rz nan" in output, f"without {row}: {output}{errors}"
+    status, output, errors, _ = ranks(2, "nested_newton", "--cells", "16", "--replicate", "700")
     assert status != 0 and "InterpolateMotion reads body[1].node_tet_ranges" in errors and "follows no set" in errors, output + errors
 
 
