@@ -88,15 +88,15 @@ void expect_counted_graphs(const std::vector<MeshLevel>& levels) {
   }
 }
 
-std::uint8_t free_node(const Point& /*x*/) { return 0; }
+std::uint8_t nothing_held(const Point& /*x*/) { return 0; }
 
 TEST(CountedGraphs, become_those_of_the_levels_in_use) {
   std::vector<std::vector<MeshLevel>> bodies{make_cube_levels(1, 0.08, false), make_cube_levels(12, 0.08, false),
                                              make_cube_levels(8, 0.08, true)};
   bodies.push_back(bodies[1]);
   for (MeshLevel& level : bodies.back()) level.averages_at_nodes = true;
-  bodies.push_back(make_levels(shuffled(irregular_box({2, 3, 2}, {1, 1, 1}, 0.2, 7), 8), 2, true, free_node));
-  bodies.push_back(make_levels(shuffled(irregular_box({9, 10, 8}, {1, 1, 1}, 0.2, 9), 10), 0, true, free_node));
+  bodies.push_back(make_levels(shuffled(irregular_box({2, 3, 2}, {1, 1, 1}, 0.2, 7), 8), 2, true, nothing_held));
+  bodies.push_back(make_levels(shuffled(irregular_box({9, 10, 8}, {1, 1, 1}, 0.2, 9), 10), 0, true, nothing_held));
   ASSERT_GT(add_background_grid(bodies.back())[0], 0);
   for (const int count : {1, 2, 16}) {
     SCOPED_TRACE(std::to_string(count) + " threads");
