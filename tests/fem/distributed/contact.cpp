@@ -34,7 +34,7 @@ std::vector<RigidPlane> planes_around_the_cube() {
   return {{{-s, 0, -c}, -(s + c) * side, 0.1 * side}, {{c, 0, s}, 0, 0.03 * side}};
 }
 
-struct Contact {
+struct Contact : NothingBesides {
   bool is_first;  ///< whether this rank prints
   of_scene::Planes<> planes;
   SolverSettings settings = settings_of_the_cube();
@@ -78,7 +78,7 @@ struct Contact {
 void run(const Ranks& ranks, Index cells, bool is_ordinary) {
   const Body body = standing_cube(cells);
   const MeshLevel& level = body.levels.front();
-  Contact contact{ranks.is_first(), {}};
+  Contact contact{{}, ranks.is_first(), {}};
   const SolverSettings& settings = contact.settings;
   SceneGroups<of_scene::Body<>, NoArrays, of_scene::Chunk<>, of_scene::Level<>, of_scene::Krylov<>> whole(body,
                                                                                                           settings);

@@ -36,7 +36,7 @@ of_scene::Inertia<> whole_inertia(const std::vector<double>& masses) {
   return inertia;
 }
 
-struct ImplicitSteps {
+struct ImplicitSteps : NothingBesides {
   bool is_first;  ///< whether this rank prints
   of_scene::Inertia<> inertia;
   SolverSettings settings = settings_of_the_cube();
@@ -86,7 +86,7 @@ void run(const Ranks& ranks, Index cells, bool is_ordinary) {
   const Body body = pressed_cube(cells, true);
   const MeshLevel& level = body.levels.front();
   const std::vector<double> masses = lumped_masses(level.mesh, level.rest, density);
-  ImplicitSteps steps{ranks.is_first(), whole_inertia(masses)};
+  ImplicitSteps steps{{}, ranks.is_first(), whole_inertia(masses)};
   SceneGroups<of_scene::Body<>, of_scene::Patches<>, of_scene::Chunk<>, of_scene::Level<>, of_scene::Krylov<>> whole(
       body, steps.settings);
   whole.facts.node_stiffness =
