@@ -50,6 +50,27 @@ TEST(Levels, of_a_background_grid_are_refused) {
   }
 }
 
+TEST(Levels, of_graphs_that_were_only_counted_are_refused) {
+  int argc = 0;
+  char** argv = nullptr;
+  const Ranks ranks(argc, argv);
+  DistributedArrays arrays(ranks, {});
+  std::vector<LevelGraph> graphs = graphs_of({8, 4});
+  graphs[0].edge_terms.first.resize(2);
+  graphs[0].edge_terms.first[0] = 0;
+  graphs[0].edge_terms.first[1] = 3;
+  std::vector<std::unique_ptr<Level>> levels(2);
+  for (auto& level : levels) level = std::make_unique<Level>(Level::Own());
+  try {
+    add_levels(arrays, levels, std::span<const LevelGraph>(graphs), 1);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "physgen: a level's graph says how many edges its rows have, and not which; give graphs that "
+                 "make_level_graphs() made");
+  }
+}
+
 TEST(HalosOfLevels, replace_the_rows_that_a_scene_has_of_the_same_kernels) {
   constexpr HaloUse scene[] = {{"physgen::fem::RestrictResidual", 3, "scale", {.reads_own = true}},
                                {"physgen::fem::TakeStep", 5, "dx", {.reads_own = true, .writes_own = true}}};

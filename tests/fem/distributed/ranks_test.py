@@ -182,7 +182,8 @@ def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0)
     """The V-cycle in place of block Jacobi. Each level that is cut has six exchanges in each preconditioning, one less where no product is
     before it, and the finest one that is not cut a residual that all ranks are given. Before the first, each has the scales of nodes, what is
     coarsened of nodes, the vectors of two power iterations, or of nine besides the first, whose length is measured twice then, in half the
-    inverses of scales, and below the finest the blocks of edges. A motion that is interpolated crosses, and its least volume is measured."""
+    inverses of scales, and below the finest the blocks of edges. A motion that is interpolated crosses, for the ghosts that its first two
+    readers need one after the other, and its least volume is measured."""
     for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
         if step["level"] >= cut:
             assert (exchanges, gathers) == (0, 0), step
@@ -191,7 +192,7 @@ def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0)
             continue
         first = step["step"] == 1
         begins = nested * first
-        assert exchanges == cut * (6 * (step["iterations"] + 1) + 4 + half + 7 * first) + patches + begins, (step, exchanges)
+        assert exchanges == cut * (6 * (step["iterations"] + 1) + 4 + half + 7 * first) + patches + 2 * begins, (step, exchanges)
         assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + cut * (2 + first) + begins, (step, gathers)
 
 
@@ -214,7 +215,7 @@ def multigrid_in_newton_has_the_bits_of_one_process():
     for row in ("SymmetricProduct 3 dx reads others", "RestrictResidual 4 df reads others"):  # what they read of others is poisoned
         number = next(line.split()[0] for line in rows if line.endswith(row))
         status, output, errors, _ = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
-        assert status == 0 and "rz nan" in output, f"without {row}: {output}{errors}"
+        assert status == 0 and "result status " in output and "result status 0" not in output, f"without {row}: {output}{errors}"
     status, output, errors, _ = ranks(2, "nested_newton", "--cells", "16", "--replicate", "700")
     assert status != 0 and "InterpolateMotion reads body[1].node_tet_ranges" in errors and "follows no set" in errors, output + errors
 

@@ -43,7 +43,7 @@ struct SceneGroups {
     body = std::move(mesh);
     where(mesh.patches, [&](auto& over) { patches = std::move(over); });
     chunk = std::move(*mesh.chunk_arrays);
-    graphs = used.graphs;
+    graphs = make_level_graphs(used.levels, Choices::assembled);
     for (auto& level : make_linear_levels<Level>(used, settings)) {
       facts.sums.push_back(std::move(level->sums));
       levels.push_back(std::move(*level));

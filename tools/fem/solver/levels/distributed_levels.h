@@ -41,11 +41,16 @@ namespace detail {
 }
 
 /// A row of a list, packed. @param elements of the list, for which its codes must do
+/// @throw Error when they do not, and when the list has no entries as yet
 template <class Packing>
 [[nodiscard]] auto packed_row_of(const IncidenceList& list, index_t elements, const char* name) {
   if (elements > Packing::most_elements) {
     throw Error("a level has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
                 std::to_string(Packing::most_elements) + "; use fewer cells");
+  }
+  if (!list.first.empty() && at(list.first.back()) != list.entries.size()) {
+    throw Error("a level's graph says how many " + std::string(name) +
+                " its rows have, and not which; give graphs that make_level_graphs() made");
   }
   return [&list](index_t row) {
     std::vector<quasistatic::PackedIncidence<float>> packed;
@@ -81,7 +86,7 @@ void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGrap
 /// @param levels pointers to groups of Level in solver_groups.h, without objects, finest first
 /// @param graphs of them, all of each; they outlive cut()
 /// @param cut the finest so many are cut
-/// @throw Error when one of them is of a background grid, or has more edges than lists can number
+/// @throw Error when one of them is of a background grid, has more edges than lists can number, or was only counted
 template <class Levels>
 void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const LevelGraph> graphs, std::size_t cut) {
   for (std::size_t l = 0; l < graphs.size(); ++l) {
