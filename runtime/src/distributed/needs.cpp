@@ -48,13 +48,17 @@ std::vector<char> Partition::ghosts_of(const HaloPath& path) const {
       is_come_to[static_cast<std::size_t>(set)].assign(static_cast<std::size_t>(one.local->size()), 0);
     }
   }
-  for (const int c : path.followed) {
-    const int source = connection(c).source;
-    const auto leads_here = [&](int other) {
-      return connection(other).target == source && connection(other).source != source;
-    };
-    // It is not known how the step comes to these.
-    if (source != path.origin && std::ranges::none_of(path.followed, leads_here)) come_to_all(source);
+  std::vector<char> is_led_to(sets_.size(), 0);
+  is_led_to[static_cast<std::size_t>(path.origin)] = 1;
+  for (std::size_t k = 0; k < path.followed.size(); ++k) {
+    for (const int c : path.followed) {
+      if (is_led_to[static_cast<std::size_t>(connection(c).source)] != 0) {
+        is_led_to[static_cast<std::size_t>(connection(c).target)] = 1;
+      }
+    }
+  }
+  for (const int c : path.followed) {  // it is not known how the step comes to these
+    if (is_led_to[static_cast<std::size_t>(connection(c).source)] == 0) come_to_all(connection(c).source);
   }
   come_to_all(path.origin);
   const DistributedSet& origin = sets_[static_cast<std::size_t>(path.origin)];

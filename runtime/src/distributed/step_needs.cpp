@@ -23,12 +23,13 @@ void HaloSteps::find_needs(Step& step, const std::vector<Use>& uses) const {
   if (!step.is_known) return;  // all ghosts
   std::set<int> followed;
   std::map<Field, std::set<int>> last;
+  std::vector<const Partition::Naming*> read;
   for (const Use& use : uses) {
     if (use.field.array < 0) continue;
     const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(use.field.array)];
     for (const Partition::Naming& naming : arrays_.namings()) {
       const bool is_read = naming.array == use.field.array && naming.field == name_of(use.field);
-      if (is_read && naming.connection >= 0) followed.insert(naming.connection);
+      if (is_read && naming.connection >= 0) read.push_back(&naming);
     }
     for (const std::string& through : use.through) {
       for (const Partition::Naming* const naming : namings_of(use, through, uses)) {
@@ -38,8 +39,15 @@ void HaloSteps::find_needs(Step& step, const std::vector<Use>& uses) const {
       }
     }
   }
+  // Rows say which arrays a program has given to the kernel. It may have swapped these since, or give others: what the
+  // step reads of indices leads to all objects that they name.
+  for (const Partition::Naming* const naming : read) followed.insert(naming->connection);
   const bool may_be_of_ghosts = step.reaches_on_ghosts && !step.written.empty();
   for (auto& [field, need] : step.gathered) {
+    const int set = arrays_.arrays()[static_cast<std::size_t>(field.array)].set;
+    for (const Partition::Naming* const naming : read) {
+      if (naming->target == set) last[field].insert(naming->connection);
+    }
     HaloPath path{step.set, false, {followed.begin(), followed.end()}, {last[field].begin(), last[field].end()}};
     need.of_owned = arrays_.need_of(path);
     if (!may_be_of_ghosts || step.own.contains(field)) continue;  // what it reads of its own is of all ghosts

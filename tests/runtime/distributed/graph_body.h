@@ -18,7 +18,7 @@ struct Body {
   Array<elasticity::NodeForceObject, Real, Space, S, Stored> springs;
   Array<elasticity::NodeDisplacementObject, Real, Space, M> means;
   Array<elasticity::NodeForceDifferentialObject, Real, Space, S> shares;
-  Array<elasticity::EdgeObject, Real, Space, M> edges;
+  Array<elasticity::EdgeObject, Real, Space, M> edges, others;
   Array<elasticity::TetObject, Real, Space, F> quads;
   elasticity::IncidenceRangeArray<float, Space> ranges, touched, member_ranges;
   elasticity::IncidenceArray<float, Space> ends, touches, members;
@@ -74,6 +74,7 @@ void fill(Body& body, const Graph& graph) {
   body.totals.resize(body.links.size());
   body.calms.resize(body.links.size());
   body.edges.resize(static_cast<index_t>(graph.edges.size()));
+  body.others.resize(body.edges.size());
   body.springs.resize(body.edges.size());
   body.quads.resize(static_cast<index_t>(graph.quads.size()));
   body.shares.resize(body.quads.size());
@@ -86,6 +87,7 @@ void fill(Body& body, const Graph& graph) {
       for (int k = 0; k < 2; ++k) array[e].nodes()[k] = static_cast<std::int32_t>(named[Graph::at(e)][Graph::at(k)]);
   };
   pairs(body.edges, graph.edges);
+  pairs(body.others, graph.others);
   pairs(body.links, graph.links);
   pairs(body.homes, graph.homes);
   for (index_t t = 0; t < body.quads.size(); ++t)
@@ -111,12 +113,14 @@ void fill_anywhere(Body& body, const Graph& graph) {
     take(body.member_ranges, here.member_ranges), take(body.ends, here.ends), take(body.touches, here.touches);
     take(body.members, here.members), take(body.totals, here.totals), take(body.calms, here.calms);
     take(body.links, here.links), take(body.homes, here.homes), take(body.state, here.state);
+    take(body.others, here.others);
     synchronize();
   }
 }
 
+/// @param has_others whether edges name other nodes, too, in an array that a program may swap with theirs
 template <class Body>
-void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows) {
+void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows, bool has_others) {
   arrays.add_set("node", graph.nodes);
   arrays.add_set("edge", static_cast<index_t>(graph.edges.size()));
   arrays.add_set("quad", static_cast<index_t>(graph.quads.size()));
@@ -137,6 +141,10 @@ void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool 
   arrays.add("b.quads", "quad", body.quads);
   arrays.add("b.shares", "quad", body.shares);
   arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return graph.edges[Graph::at(e)]; });
+  if (has_others) {
+    arrays.add("b.others", "edge", body.others);
+    arrays.connect(body.others, "nodes", "node", [&](index_t e) { return graph.others[Graph::at(e)]; });
+  }
   arrays.connect(body.quads, "nodes", "node", [&](index_t t) { return graph.quads[Graph::at(t)]; });
   arrays.connect_rows(body.ranges, "b.ends", body.ends, "element", "edge",
                       [&](index_t i) -> const auto& { return graph.ends[Graph::at(i)]; });

@@ -200,6 +200,7 @@ struct Graph {
   std::vector<std::vector<elasticity::Incidence<float>>> ends, touches;
   std::vector<std::vector<elasticity::Incidence<float>>> members;  ///< of each group: nodes (local 1) and edges (0)
   std::vector<std::array<index_t, 2>> homes, links;                ///< two groups of each node, and of each group
+  std::vector<std::array<index_t, 2>> others;                      ///< of each edge two nodes, anywhere
 
   Graph(index_t count, std::mt19937& random) : nodes(count), ends(at(count)), touches(at(count)) {
     const auto number = [&](index_t below) { return static_cast<index_t>(random()) % below; };
@@ -229,6 +230,10 @@ struct Graph {
       }
     }
     for (index_t n = 0; n < nodes; ++n) homes.push_back({n * groups / nodes, number(groups)});
+    std::mt19937 of_others(static_cast<unsigned>(edge_count));
+    for (index_t e = 0; e < edge_count; ++e) {
+      others.push_back({static_cast<index_t>(of_others()) % nodes, static_cast<index_t>(of_others()) % nodes});
+    }
   }
   static std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
   static elasticity::Incidence<float> incidence(index_t element, int local) {

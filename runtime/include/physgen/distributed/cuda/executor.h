@@ -187,8 +187,11 @@ class DistributedExecutor<On> {
     if (loops_on_host_ || !transport.can_be_captured()) return round();
     const cuda::RecordedRound::State before = cuda::RecordedRound::state_of(arrays_);
     if (recorded.fits(before)) return recorded.replay(stream(), transport);
+    const std::size_t needs = cuda::RecordedRound::needs_of(arrays_);
     round();
-    if (!recorded.is_recorded() && cuda::RecordedRound::state_of(arrays_) == before) {
+    // Behind a round in which needs were learnt the next one may ask for lists of ghosts that are not there yet.
+    const bool has_learnt = cuda::RecordedRound::needs_of(arrays_) != needs;
+    if (!recorded.is_recorded() && !has_learnt && cuda::RecordedRound::state_of(arrays_) == before) {
       recorded.record(stream(), arrays_, transport, round);
     }
   }

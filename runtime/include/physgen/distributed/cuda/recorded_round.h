@@ -44,6 +44,13 @@ class RecordedRound {
     return state;
   }
 
+  /// The number of needs that steps have asked for, of all sets.
+  [[nodiscard]] static std::size_t needs_of(const Partition& arrays) {
+    std::size_t count = 0;
+    for (const DistributedSet& set : arrays.sets()) count += set.needs.size();
+    return count;
+  }
+
   [[nodiscard]] bool is_recorded() const { return graph_ != nullptr; }
   [[nodiscard]] bool fits(const State& state) const { return is_recorded() && state_ == state; }
 
