@@ -14,6 +14,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "../bodies.h"
 #include "../irregular.h"
@@ -125,23 +126,56 @@ TEST(CountedGraphs, are_all_that_a_solver_needs) {
   }
 }
 
+void expect_graphs_refused(const std::vector<MeshLevel>& levels, const SolverSettings& settings,
+                           const std::string& why) {
+  try {
+    (void)graphs_in_use(levels, settings);
+    ADD_FAILURE() << "accepted: " << why;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+  }
+}
+
 TEST(CountedGraphs, that_are_not_of_the_levels_are_refused) {
   std::vector<MeshLevel> levels = make_cube_levels(4, 0.08, true);
-  const auto expect_refused = [&](const SolverSettings& settings, const std::string& why) {
-    try {
-      (void)graphs_in_use(levels, settings);
-      ADD_FAILURE() << "accepted: " << why;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
-    }
-  };
   const SolverSettings twice = with_counted_graphs(levels);
   (void)graphs_in_use(levels, twice);
-  expect_refused(twice, "has 0 graphs for 2 levels");
-  expect_refused(with_counted_graphs(make_cube_levels(8, 0.08, true)), "level 0 has other nodes");
+  expect_graphs_refused(levels, twice, "has 0 graphs for 2 levels");
+  expect_graphs_refused(levels, with_counted_graphs(make_cube_levels(8, 0.08, true)), "level 0 has other nodes");
   const SolverSettings before = with_counted_graphs(levels);
   levels[1].fixed[3] = 7;
-  expect_refused(before, "level 1 has other constraints");
+  expect_graphs_refused(levels, before, "level 1 has other constraints");
+}
+
+TEST(CountedGraphs, with_other_edges_are_refused) {
+  const std::vector<MeshLevel> tets = make_cube_levels(4, 0.08, false), patches = make_cube_levels(4, 0.08, true);
+  for (const std::size_t l : {std::size_t{0}, std::size_t{1}}) {
+    const std::string why = "level " + std::to_string(l) + " has other edges";
+    std::vector<MeshLevel> changed = tets;
+    changed[l].averages_at_nodes = true;
+    expect_graphs_refused(changed, with_counted_graphs(tets), why);
+    changed = tets;
+    changed[l].patches = patches[l].patches;
+    expect_graphs_refused(changed, with_counted_graphs(tets), why);
+  }
+  std::vector<MeshLevel> turned = tets;  // as many tets and edges, with other diagonals
+  turned[0].mesh = make_box_mesh(4, 4, 4);
+  ASSERT_EQ(turned[0].mesh.edges.size(), tets[0].mesh.edges.size());
+  expect_graphs_refused(turned, with_counted_graphs(tets), "level 0 has other edges");
+}
+
+TEST(CountedGraphs, with_other_parents_are_refused) {
+  std::vector<MeshLevel> levels = make_cube_levels(4, 0.08, false);
+  const SolverSettings nested = with_counted_graphs(levels);
+  levels[0].parents[1][1] = levels[0].parents[1][0];
+  expect_graphs_refused(levels, nested, "level 0 has other parents");
+
+  levels = make_levels(shuffled(irregular_box({9, 10, 8}, {1, 1, 1}, 0.2, 9), 10), 0, true, nothing_held);
+  ASSERT_GT(add_background_grid(levels)[0], 0);
+  const SolverSettings over_grid = with_counted_graphs(levels);
+  std::swap(levels[0].grid_parents[5].weights[0], levels[0].grid_parents[5].weights[1]);
+  ASSERT_NE(levels[0].grid_parents[5].weights[0], levels[0].grid_parents[5].weights[1]);
+  expect_graphs_refused(levels, over_grid, "level 0 has other parents");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +22,7 @@ using detail::coarse_pairs;
 using detail::CoarsePairs;
 using detail::copy_of;
 using detail::first_edges;
+using detail::for_each_index;
 using detail::HigherNodes;
 using detail::patches_of_nodes;
 
@@ -31,18 +34,59 @@ void require_sizes(std::size_t l, const MeshLevel& level) {
               " constraints");
 }
 
-/// A graph has the constraints and the coarser level of when it was counted.
+/// Whether a graph has the edges that sums of a level go by: of its tets, and of nodes that share a mean volume. Of the
+/// edges in a ring one is looked for, between its lowest and its highest node: a graph made without rings lacks many.
+bool has_edges_of(const LevelGraph& graph, const MeshLevel& level) {
+  const TetMesh& mesh = level.mesh;
+  const VolumePatches& patches = level.patches;
+  const HostList<Index> first = first_edges(graph.nodes, graph.edges);
+  std::atomic<bool> has_all = true;
+  const auto require = [&](Index m, Index n) {
+    const auto from_m = std::span(graph.edges).subspan(at(first[at(m)]), at(first[at(m) + 1] - first[at(m)]));
+    if (m != n && !std::ranges::binary_search(from_m, std::array{m, n})) has_all = false;
+  };
+  for_each_index(0, static_cast<index_t>(mesh.edges.size()),
+                 [&](index_t e) { require(mesh.edges[at(e)][0], mesh.edges[at(e)][1]); });
+  for_each_index<16>(0, static_cast<index_t>(patches.nodes.size()), [&](index_t p) {
+    const auto nodes = std::span(patches.nodes[at(p)]).first(at(patches.node_counts[at(p)]));
+    for (std::size_t b = 1; b < nodes.size(); ++b) {
+      for (std::size_t a = 0; a < b; ++a) require(std::min(nodes[a], nodes[b]), std::max(nodes[a], nodes[b]));
+    }
+  });
+  for_each_index(0, level.averages_at_nodes ? mesh.nodes : 0, [&](index_t node) {
+    const Index begin = mesh.node_edges.first[at(node)], end = mesh.node_edges.first[at(node) + 1];
+    if (begin == end) return;
+    const auto lowest = mesh.edges[at(mesh.node_edges.entries[at(begin)].element)][0];
+    const auto highest = mesh.edges[at(mesh.node_edges.entries[at(end - 1)].element)][1];
+    require(lowest, highest);
+  });
+  return has_all;
+}
+
+bool has_parents_of(const LevelGraph& graph, const MeshLevel& level) {
+  const auto is_same = [](const GridLocation& a, const GridLocation& b) {
+    return a.nodes == b.nodes && a.weights == b.weights;
+  };
+  if (!std::ranges::equal(graph.grid_parents, level.grid_parents, is_same)) return false;
+  return !level.grid_parents.empty() || graph.parents == level.parents;
+}
+
+/// A graph has the edges, the constraints and the parents of when it was counted.
 void require_graphs(std::span<const MeshLevel> levels, const std::vector<LevelGraph>& graphs) {
+  InStage stage("checks of graphs");
   if (graphs.size() < levels.size()) {
     throw Error("SolverSettings::graphs has " + std::to_string(graphs.size()) + " graphs for " +
                 std::to_string(levels.size()) + " levels; give those of make_counted_graphs() of these levels, once");
   }
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const bool has_nodes = graphs[l].nodes == levels[l].mesh.nodes && graphs[l].is_grid == levels[l].is_grid();
-    const char* const other = !has_nodes                                             ? "nodes"
-                              : graphs[l].fixed != levels[l].fixed                   ? "constraints"
-                              : graphs[l].edges.size() < levels[l].mesh.edges.size() ? "edges"
-                                                                                     : nullptr;
+    const bool has_parents = l + 1 == levels.size() || has_parents_of(graphs[l], levels[l]);
+    const char* const other = !has_nodes                            ? "nodes"
+                              : graphs[l].fixed != levels[l].fixed  ? "constraints"
+                              : !has_parents                        ? "parents"
+                              : !has_edges_of(graphs[l], levels[l]) ? "edges"
+                                                                    : nullptr;
+    stage.moves(levels[l].mesh.edges, graphs[l].edges);
     if (other == nullptr) continue;
     throw Error("SolverSettings::graphs: the graph of level " + std::to_string(l) + " has other " + other +
                 " than the level; make it again with make_counted_graphs() when the levels are complete");
