@@ -40,6 +40,7 @@ bool can_exist(index_t bytes, std::string& why) {
   if (bytes > limit) why = "this machine has only " + std::to_string(limit) + " bytes";
   return bytes <= limit;
 }
+
 // Has the system hand out memory now, to several threads, in huge pages where it grants them: when a thread touches it
 // first, it is interrupted for each page, and two that touch one huge page both wait. A wish: nothing is lost without
 // it.
