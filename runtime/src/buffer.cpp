@@ -61,8 +61,8 @@ std::byte* allocate_host(index_t bytes, std::string& why) {
   if (!can_exist(bytes, why)) return nullptr;
   const bool large = bytes >= huge_page;
   const auto size = static_cast<std::size_t>(bytes);
-  void* data = std::aligned_alloc(static_cast<std::size_t>(large ? huge_page : buffer_alignment), size);
-  if (data == nullptr) {
+  void* data = nullptr;  // std::aligned_alloc takes multiples of the alignment alone
+  if (posix_memalign(&data, static_cast<std::size_t>(large ? huge_page : buffer_alignment), size) != 0) {
     why = none_free;
     return nullptr;
   }

@@ -29,8 +29,7 @@ Jet exact_energy(const Model& model, const Vector3<Real>& s) {
 }
 
 /// The quotients (g_a - g_b) / (s_a - s_b) and (g_a + g_b) / (s_a + s_b) themselves: quadruple precision has the
-/// digits.
-/// @pre no two stretches add up to 0
+/// digits. Where a divisor is 0 they are their limits, which exist since psi is even and does not tell stretches apart.
 template <class Real>
 Entries<Quad> exact_entries(const Jet& psi, const Vector3<Real>& s) {
   const auto& H = psi.hessian;
@@ -40,7 +39,10 @@ Entries<Quad> exact_entries(const Jet& psi, const Vector3<Real>& s) {
     const Quad gap = at(a) - at(b);
     return gap == 0 ? H[a][a] - H[a][b] : (g[a] - g[b]) / gap;
   };
-  const auto S = [&](std::size_t a, std::size_t b) { return (g[a] + g[b]) / (at(a) + at(b)); };
+  const auto S = [&](std::size_t a, std::size_t b) {
+    const Quad sum = at(a) + at(b);
+    return sum == 0 ? H[a][a] + H[a][b] : (g[a] + g[b]) / sum;
+  };
   return {H[0][0], H[1][0], H[2][0], H[1][1], H[2][1], H[2][2], D(1, 0), D(2, 0), D(2, 1), S(1, 0), S(2, 0), S(2, 1)};
 }
 

@@ -246,13 +246,12 @@ template <class Real, class Stored, class Choices, class On, class Material, cla
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
                                                                                               facts, groups);
 }
-/// The same, which solves on coarser meshes first. @pre volumes are not averaged, and no pressures follow the surface
+/// The same, which solves on coarser meshes first: where volumes are not averaged, and no pressures follow the surface.
 template <class Real, class Stored, class Choices, class On, class Material, class Groups, class Mesh>
+  requires(std::is_same_v<typename Groups::Patches, NoArrays> && std::is_same_v<typename Groups::Rings, NoArrays> &&
+           std::is_same_v<typename Groups::Surface, NoArrays> && std::is_same_v<typename Groups::Planes, NoArrays>)
 [[nodiscard]] auto solver_program(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts,
                                   const Groups& groups, std::vector<Mesh>& coarser) {
-  static_assert(
-      std::is_same_v<typename Groups::Patches, NoArrays> && std::is_same_v<typename Groups::Rings, NoArrays> &&
-      std::is_same_v<typename Groups::Surface, NoArrays> && std::is_same_v<typename Groups::Planes, NoArrays>);
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
                                                                                               facts, groups, &coarser);
 }
