@@ -41,11 +41,13 @@ bool can_exist(index_t bytes, std::string& why) {
   return bytes <= limit;
 }
 
+// A wish: nothing is lost where the system does not grant it.
+void ask_for_huge_pages(std::byte* data, std::size_t size) { madvise(data, size, MADV_HUGEPAGE); }
+
 // Has the system hand out memory now, to several threads, in huge pages where it grants them: when a thread touches it
-// first, it is interrupted for each page, and two that touch one huge page both wait. A wish: nothing is lost without
-// it.
+// first, it is interrupted for each page, and two that touch one huge page both wait.
 void hand_out(std::byte* data, std::size_t size) {
-  madvise(data, size, MADV_HUGEPAGE);
+  ask_for_huge_pages(data, size);
 #ifdef MADV_POPULATE_WRITE
   constexpr auto part = static_cast<std::size_t>(huge_page);
   detail::for_each_index<8192>(0, static_cast<index_t>((size + part - 1) / part), [=](index_t p) {
@@ -57,6 +59,7 @@ void hand_out(std::byte* data, std::size_t size) {
 
 constexpr const char* none_free = "the system does not have so much free memory";
 
+// Not handed out: a list may have room for more than is ever written.
 std::byte* allocate_host(index_t bytes, std::string& why) {
   if (!can_exist(bytes, why)) return nullptr;
   const bool large = bytes >= huge_page;
@@ -66,7 +69,7 @@ std::byte* allocate_host(index_t bytes, std::string& why) {
     why = none_free;
     return nullptr;
   }
-  if (large) hand_out(static_cast<std::byte*>(data), size);
+  if (large) ask_for_huge_pages(static_cast<std::byte*>(data), size);
   return static_cast<std::byte*>(data);
 }
 
