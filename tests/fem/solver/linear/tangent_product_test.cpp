@@ -76,12 +76,14 @@ TEST(MatrixFree, newtons_method_finds_the_equilibrium_of_the_assembled_product) 
         const auto assembled = make_solver(body.levels, body.loading, settings);
         settings.newton.product = Product::matrix_free;
         const auto free = make_solver(body.levels, body.loading, settings);
+        // Without preconditioner rounding alone changes some of over 600 by 9 %: sums begin with the large patches.
+        const bool is_rounded = patches && kind == Preconditioner::none && precision != TangentPrecision::float64;
         for (const double load : {0.1, 0.2}) {  // the second from an equilibrium: K d of the increment
           const NewtonResult a = assembled->solve_to(load, {}), b = free->solve_to(load, {});
           ASSERT_EQ(a.status, NewtonStatus::converged);
           ASSERT_EQ(b.status, NewtonStatus::converged);
           EXPECT_NEAR(b.steps, a.steps, 1);
-          EXPECT_NEAR(b.iterations, a.iterations, 0.1 * a.iterations + 3);  // rounding alone changes some by 9 %
+          EXPECT_NEAR(b.iterations, a.iterations, (is_rounded ? 0.1 : 0.05) * a.iterations + 3);
           EXPECT_NEAR(b.energy / a.energy, 1, 1e-10);
         }
         EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * tangent_scene_side);
