@@ -84,7 +84,7 @@ struct MeshFacts {
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings
   double node_stiffness = 0;                   ///< of a node, elastic and by inertia, for bodies that move [N/m]
-  index_t nodes = 0;                           ///< of the mesh, on all ranks, for bodies that move
+  index_t nodes = 0;                           ///< of all ranks, for bodies that move; 0: those of the arrays
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
 
@@ -178,7 +178,8 @@ class SolverProgram : private NestedNewton<On, Types> {
   NewtonResult step(const TimeStep& step) {
     auto& newton = this->settings_.newton;
     const double farthest = largest_coordinate(*on_, *arrays_.front(), *linear_.front());
-    newton.rounding_force = rounding_force(facts_.node_stiffness, farthest, std::size_t(facts_.nodes));
+    const index_t nodes = facts_.nodes > 0 ? facts_.nodes : arrays_.front()->nodes();
+    newton.rounding_force = rounding_force(facts_.node_stiffness, farthest, std::size_t(nodes));
     return implicit_step(*on_, this->loops_.front(), *arrays_.front(), linear_, *vectors_.front(), *this->evaluator_,
                          this->settings_.newton, step, this->moves_.front());
   }
