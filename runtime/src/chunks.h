@@ -8,11 +8,13 @@
 
 namespace physgen::detail {
 
+inline constexpr index_t longest_tile = 1024;  ///< of an Aosoa [objects]
+
 /// Objects of one tile of the array, or of one that an array of the same layout may have: a range that begins at a
-/// multiple of it begins with a tile.
+/// multiple of it begins with a tile. One tile that is no longer than an Aosoa's may be is a tile as well: views of a
+/// part then have the pitch that their type says.
 [[nodiscard]] inline index_t tile_objects(const UntypedArray& array) {
-  const bool many_tiles = array.pitch < array.padded;
-  return many_tiles ? std::max(array.pitch, padding_objects) : padding_objects;
+  return array.pitch <= longest_tile ? std::max(array.pitch, padding_objects) : padding_objects;
 }
 
 /// Objects that pass through a part at a time: about 8 MiB, whole tiles.
