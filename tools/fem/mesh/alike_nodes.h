@@ -19,6 +19,21 @@ namespace physgen::fem::detail {
   return {node % row, node % layer / row, node / layer};
 }
 
+/// Calls act(cell, slot) for the cells of a node, ascending: the slot that cell_patches() gives it there.
+template <class Act>
+void each_cell_of_node(const BoxCells& box, const std::array<Index, 3>& place, const Act& act) {
+  const auto& cells = box.cells;
+  for (Index slot = 7; slot >= 0; --slot) {
+    std::array<Index, 3> cell{};
+    bool exists = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      cell[k] = place[k] - (slot >> k & 1);
+      exists = exists && cell[k] >= 0 && cell[k] < cells[k];
+    }
+    if (exists) act(cell[0] + cells[0] * (cell[1] + cells[1] * cell[2]), slot);
+  }
+}
+
 /// Nodes of a box lie alike where the cells up to `reach` before and behind them, along each axis, are there alike and
 /// mirrored alike.
 class AlikeNodes {

@@ -1,4 +1,4 @@
-// Tets of a box, cell by cell; all lists by formula.
+// Tets of a box, cell by cell; all lists from cell to cell.
 #include <fem/mesh/at.h>
 #include <fem/mesh/box_lists.h>
 #include <fem/mesh/mesh.h>
@@ -92,7 +92,7 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored
   mesh.nodes = (nx + 1) * (ny + 1) * (nz + 1);
   mesh.tets.resize(6 * at(nx) * at(ny) * at(nz));
   write_box_tets(mesh);
-  detail::write_box_lists(mesh, nx, ny, nz, mirrored);
+  detail::write_box_lists(mesh);
   return mesh;
 }
 

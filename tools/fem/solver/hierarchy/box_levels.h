@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/mesh/alike_nodes.h>
+#include <fem/mesh/box_lists.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/node_rows.h>
 #include <fem/solver/mesh_level.h>
@@ -58,21 +59,6 @@ inline constexpr Index reach_of_edges = 2;
     if (!is_alike) repeats = false;
   });
   return repeats;
-}
-
-/// Calls act(cell, slot) for the cells of a node, ascending: the slot that cell_patches() gives it there.
-template <class Act>
-void each_cell_of_node(const BoxCells& box, const std::array<Index, 3>& place, const Act& act) {
-  const auto& cells = box.cells;
-  for (Index slot = 7; slot >= 0; --slot) {
-    std::array<Index, 3> cell{};
-    bool exists = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      cell[k] = place[k] - (slot >> k & 1);
-      exists = exists && cell[k] >= 0 && cell[k] < cells[k];
-    }
-    if (exists) act(cell[0] + cells[0] * (cell[1] + cells[1] * cell[2]), slot);
-  }
 }
 
 /// Whether the patches of a level are the cells of its mesh's box, as cell_patches() makes them.
@@ -155,38 +141,6 @@ void rows_of_nodes(const std::optional<BoxCells>& box, index_t nodes, const Make
       alike, make_scratch, visit,
       [&](const Entry& entry, const AlikeNodes::Node& node) { return move(entry, alike.nodes_beyond(node)); }, first,
       entries);
-}
-
-/// edges_of_nodes() of a level's graph. @param first per node: the first of its edges to higher nodes; and one more
-[[nodiscard]] inline IncidenceList edges_of_box_nodes(const BoxCells& box, std::span<const Index> first,
-                                                      std::span<const std::array<Index, 2>> edges) {
-  InStage stage("rows of edges");
-  const AlikeNodes nodes(box, reach_of_edges + 1);  // the lower neighbours' edges are alike
-  const auto no_scratch = [] { return 0; };
-  // Of the first node of a kind: the lower node of an edge, twice its number among the edges of that, and the side.
-  const auto visit = [&](index_t n, int /*scratch*/, std::vector<IncidenceEntry>& row) {
-    const auto node = static_cast<Index>(n);
-    const std::array<Index, 3> place = place_of(box, node);
-    for (Index step = 0; step < 13; ++step) {  // to lower neighbours, ascending
-      const std::array<Index, 3> lower{place[0] + step % 3 - 1, place[1] + step / 3 % 3 - 1, place[2] + step / 9 - 1};
-      bool exists = true;
-      for (std::size_t k = 0; k < 3; ++k) exists = exists && lower[k] >= 0 && lower[k] <= box.cells[k];
-      if (!exists) continue;
-      const Index m = lower[0] + (box.cells[0] + 1) * (lower[1] + (box.cells[1] + 1) * lower[2]);
-      for (Index e = first[at(m)]; e < first[at(m) + 1]; ++e) {
-        if (edges[at(e)][1] == node) row.push_back({m, 2 * (e - first[at(m)]) + 1});
-      }
-    }
-    for (Index k = 0; k < first[at(n) + 1] - first[at(n)]; ++k) row.push_back({node, 2 * k});
-  };
-  const auto move = [&](const IncidenceEntry& entry, const AlikeNodes::Node& node) {
-    const Index lower = entry.element + nodes.nodes_beyond(node);
-    return IncidenceEntry{first[at(lower)] + (entry.local >> 1), entry.local & 1};
-  };
-  IncidenceList list;
-  move_rows(nodes, no_scratch, visit, move, list.first, list.entries);
-  stage.moves(edges, list.first, list.entries);
-  return list;
 }
 
 }  // namespace physgen::fem::detail

@@ -17,43 +17,20 @@ using physgen::detail::for_each_index;
 /// @param first per node: the first of its edges to higher nodes; and one more
 IncidenceList patches_of_box_edges(const BoxCells& box, std::span<const Index> first,
                                    std::span<const std::array<Index, 2>> edges) {
-  using detail::AlikeNodes;
-  const AlikeNodes nodes(box, detail::reach_of_edges);
-  const auto no_scratch = [] { return 0; };
-  const auto each_patch = [&](Index node, Index edge, const auto& act) {
-    const std::array<Index, 3> other = detail::place_of(box, edges[at(edge)][1]);
-    detail::each_cell_of_node(box, detail::place_of(box, node), [&](Index cell, Index slot) {
-      detail::each_cell_of_node(box, other, [&](Index same, Index other_slot) {
-        if (same == cell) act(IncidenceEntry{cell, slot + 8 * other_slot});
-      });
-    });
-  };
-  HostList<Index> first_of_node;
-  IncidenceList list;
-  list.first.reserve(edges.size() + 1);
-  detail::move_rows(
-      nodes, no_scratch,
-      [&](index_t node, int /*scratch*/, std::vector<Index>& row) {
-        for (Index e = first[at(node)]; e < first[at(node) + 1]; ++e) {
-          row.push_back(0);
-          each_patch(static_cast<Index>(node), e, [&row](const IncidenceEntry& /*entry*/) { ++row.back(); });
-        }
+  const detail::AlikeNodes nodes(box, detail::reach_of_edges);
+  return detail::lists_of_box_edges(
+      nodes, first,
+      [&](Index node, Index edge, const auto& act) {
+        const std::array<Index, 3> other = detail::place_of(box, edges[at(edge)][1]);
+        detail::each_cell_of_node(box, detail::place_of(box, node), [&](Index cell, Index slot) {
+          detail::each_cell_of_node(box, other, [&](Index same, Index other_slot) {
+            if (same == cell) act(IncidenceEntry{cell, slot + 8 * other_slot});
+          });
+        });
       },
-      [](Index count, const AlikeNodes::Node& /*node*/) { return count; }, first_of_node, list.first);
-  list.first.push_back(0);
-  (void)exclusive_scan(Host{}, std::span(list.first));
-  detail::move_rows(
-      nodes, no_scratch,
-      [&](index_t node, int /*scratch*/, std::vector<IncidenceEntry>& row) {
-        for (Index e = first[at(node)]; e < first[at(node) + 1]; ++e) {
-          each_patch(static_cast<Index>(node), e, [&row](const IncidenceEntry& entry) { row.push_back(entry); });
-        }
-      },
-      [&nodes](const IncidenceEntry& entry, const AlikeNodes::Node& node) {
+      [&nodes](const IncidenceEntry& entry, const detail::AlikeNodes::Node& node) {
         return IncidenceEntry{entry.element + nodes.cells_beyond(node), entry.local};
-      },
-      first_of_node, list.entries);
-  return list;
+      });
 }
 
 }  // namespace

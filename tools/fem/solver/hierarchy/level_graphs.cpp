@@ -23,7 +23,6 @@ using detail::coarse_pairs;
 using detail::CoarsePairs;
 using detail::copy_of;
 using detail::each_cell_of_node;
-using detail::edges_of_box_nodes;
 using detail::first_edges;
 using detail::for_each_index;
 using detail::HigherNodes;
@@ -166,8 +165,8 @@ void put_edges(const MeshLevel& level, const CoarsePairs& of_finer, LevelGraph& 
   }
   HostList<Index> first;
   graph.edges = edges_of(level, of_finer, graph.box, first);
-  graph.node_edges =
-      graph.box ? edges_of_box_nodes(*graph.box, first, graph.edges) : edges_of_nodes(graph.nodes, graph.edges);
+  graph.node_edges = graph.box ? detail::edges_of_box_nodes(*graph.box, detail::reach_of_edges, first, graph.edges)
+                               : edges_of_nodes(graph.nodes, graph.edges);
 }
 
 IncidenceList children_of(const LevelGraph& graph, Index coarse_nodes) {
