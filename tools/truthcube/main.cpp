@@ -13,7 +13,7 @@
 
 /// Large blocks, those of std::vector, are in huge pages: to touch them for the first time in small ones takes longer
 /// than to fill them.
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
   constexpr std::size_t huge_page = std::size_t{2} << 20;
   void* memory = nullptr;
   if (size >= 2 * huge_page) {
@@ -25,8 +25,8 @@ void* operator new(std::size_t size) {
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
 #endif
 
