@@ -16,7 +16,7 @@
 [[gnu::noinline]] void* operator new(std::size_t size) {
   constexpr std::size_t huge_page = std::size_t{2} << 20;
   void* memory = nullptr;
-  if (size >= 2 * huge_page) {
+  if (size >= huge_page) {
     if (posix_memalign(&memory, huge_page, size) != 0) throw std::bad_alloc();
     (void)madvise(memory, size, MADV_HUGEPAGE);  // advice: where there are none, the pages are small
     return memory;

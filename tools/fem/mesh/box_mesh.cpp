@@ -72,7 +72,10 @@ bool detail::has_tets_of_box(const TetMesh& mesh) {
   physgen::detail::for_each_index<64>(0, box.rows(), [&](index_t row) {
     const std::array<Index, 4>* next = mesh.tets.data() + row * box.tets_of_row();
     bool is_same = true;
-    box.each_of_row(row, [&](const std::array<Index, 4>& tet) { is_same &= tet == *next++; });
+    box.each_of_row(row, [&](const std::array<Index, 4>& tet) {
+      for (std::size_t c = 0; c < 4; ++c) is_same &= tet[c] == (*next)[c];
+      ++next;
+    });
     if (!is_same) has_all = false;
   });
   return has_all;

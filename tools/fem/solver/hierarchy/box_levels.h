@@ -53,7 +53,8 @@ inline constexpr Index reach_of_edges = 2;
     const Index beyond = nodes.nodes_beyond(node);
     bool is_alike = next + (row.end - row.first) <= count;
     for (index_t e = row.first; is_alike && e < row.end; ++e) {
-      is_alike = mesh.edges[at(next++)] == std::array{node.number, mesh.edges[at(e)][1] + beyond};
+      const auto& [m, n] = mesh.edges[at(next++)];
+      is_alike = m == node.number && n == mesh.edges[at(e)][1] + beyond;
     }
     is_alike &= next == count || (next < count && mesh.edges[at(next)][0] > node.number);
     if (!is_alike) repeats = false;
@@ -77,10 +78,10 @@ inline constexpr Index reach_of_edges = 2;
     bool is_same = true;
     for (Index x = 0; x < nx; ++x) {
       const std::size_t p = at(r * nx + x);
-      const Index n = first + x;
-      is_same &= patches.node_counts[p] == 8 &&
-                 patches.nodes[p] == std::array{n,         n + 1,         n + row,         n + row + 1,
-                                                n + layer, n + layer + 1, n + layer + row, n + layer + row + 1};
+      is_same &= patches.node_counts[p] == 8;
+      for (Index c = 0; c < 8; ++c) {
+        is_same &= patches.nodes[p][at(c)] == first + x + (c & 1) + row * (c >> 1 & 1) + layer * (c >> 2);
+      }
     }
     if (!is_same) has_all = false;
   });
@@ -106,7 +107,11 @@ inline constexpr Index reach_of_edges = 2;
   for_each_index<64>(0, rows, [&](index_t r) {
     const auto y = static_cast<Index>(r % column), z = static_cast<Index>(r / column);
     bool is_same = true;
-    for (Index x = 0; x < row; ++x) is_same &= parents[at(r * row + x)] == box_parents_at(coarse, {x, y, z});
+    for (Index x = 0; x < row; ++x) {
+      const auto& [p, q] = parents[at(r * row + x)];
+      const std::array<Index, 2> expected = box_parents_at(coarse, {x, y, z});
+      is_same &= p == expected[0] && q == expected[1];
+    }
     if (!is_same) has_all = false;
   });
   return has_all;

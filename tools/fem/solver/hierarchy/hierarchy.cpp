@@ -64,7 +64,7 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
     Index e = own[at(node)];
     for (Index k = first[at(node)]; k < first[at(node) + 1]; ++k) {
       parts.edge_tets.first[at(k)] = level.mesh.edge_tets.first[at(e)];
-      if (e < own[at(node) + 1] && level.mesh.edges[at(e)] == graph.edges[at(k)]) ++e;
+      if (e < own[at(node) + 1] && level.mesh.edges[at(e)][1] == graph.edges[at(k)][1]) ++e;
     }
   });
   stage.moves(level.mesh.edges, graph.edges, level.mesh.edge_tets.first, parts.edge_tets.first);
