@@ -131,8 +131,10 @@ TEST(MeshLists, of_boxes_by_formula_are_those_of_their_tets_in_each_mirrored_for
         for (const auto& [x, y, z] : {std::array<Index, 3>{1, 1, 1}, {2, 2, 2}, {3, 4, 2}, {1, 5, 6}, {7, 1, 1}}) {
           for (const int count : {1, 2, 16}) {
             set_threads(count);
-            const TetMesh box = make_box_mesh(x, y, z, {from_x, from_y, from_z});
-            expect_equal_lists(box, make_tet_mesh(box.nodes, box.tets));
+            const TetMesh box = make_box_mesh(x, y, z, {from_x, from_y, from_z}),
+                          same = make_tet_mesh(box.nodes, box.tets);
+            expect_equal_lists(box, same);
+            EXPECT_EQ(boundary_faces(box), boundary_faces(same));
           }
         }
       }
@@ -141,6 +143,30 @@ TEST(MeshLists, of_boxes_by_formula_are_those_of_their_tets_in_each_mirrored_for
   for (const auto& [x, y, z] : {std::array<Index, 3>{3, 4, 2}, {9, 8, 11}}) {
     const TetMesh box = make_box_mesh(x, y, z, {1, 4, 0});
     expect_right_lists(box.nodes, box.tets);
+  }
+}
+
+TEST(MeshLists, a_mesh_that_only_looks_like_a_box_has_the_surface_of_its_tets) {
+  const TetMesh box = make_box_mesh(7, 5, 6, {3, 2, 4});
+  const auto last = static_cast<std::ptrdiff_t>(box.tets.size()) - 1;
+  for (const std::ptrdiff_t tet : {std::ptrdiff_t{0}, last / 2, last}) {
+    std::vector<Tet> tets = box.tets;
+    const auto expect_own_surface = [&](const BoxCells& cells) {
+      const TetMesh plain = make_tet_mesh(box.nodes, tets);
+      TetMesh labelled = plain;
+      labelled.box = cells;
+      EXPECT_EQ(boundary_faces(labelled), boundary_faces(plain));
+    };
+    std::swap(tets[at(tet)][1], tets[at(tet)][2]);  // seen from outside the other way round
+    expect_own_surface(*box.box);
+    tets = box.tets;
+    tets.erase(tets.begin() + tet);
+    expect_own_surface(*box.box);
+    tets.insert(tets.begin(), box.tets[at(tet)]);  // as many, in another order
+    expect_own_surface(*box.box);
+    tets = box.tets;
+    expect_own_surface({{5, 7, 6}, {3, 2, 4}});
+    expect_own_surface({{7, 5, 6}, {3, 2, 3}});
   }
 }
 

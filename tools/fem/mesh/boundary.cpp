@@ -1,5 +1,7 @@
 // Faces with one tet are the boundary; loads are sums over faces and tets in a fixed order.
+#include <fem/mesh/alike_nodes.h>
 #include <fem/mesh/boundary.h>
+#include <fem/mesh/box_lists.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/stages.h>
@@ -40,24 +42,32 @@ std::vector<Face> boundary_faces(const TetMesh& mesh) {
   const auto tets_of = tets_of_nodes(mesh);
   HostList<Index> first;
   HostList<Face> found;
-  append_rows(
-      Host{}, mesh.nodes, [] { return FacesOfNode(); },
-      [&](index_t n, FacesOfNode& faces, std::vector<Face>& row) {
-        const auto node = static_cast<Index>(n);
-        faces.each(
-            node, mesh.tets, [&](const auto& act) { tets_of(node, act); },
-            [&](std::span<const FaceUse> uses) {
-              if (uses.size() != 1) return;
-              Face face{};
-              for (std::size_t c = 0; c < 3; ++c) {
-                face[c] = mesh.tets[static_cast<std::size_t>(uses[0].tet())]
-                                   [outward[static_cast<std::size_t>(uses[0].corner())][c]];
-              }
-              std::ranges::rotate(face, std::ranges::min_element(face));
-              row.push_back(face);
-            });
-      },
-      first, found);
+  const auto make_scratch = [] { return FacesOfNode(); };
+  const auto visit = [&](index_t n, FacesOfNode& faces, std::vector<Face>& row) {
+    const auto node = static_cast<Index>(n);
+    faces.each(
+        node, mesh.tets, [&](const auto& act) { tets_of(node, act); },
+        [&](std::span<const FaceUse> uses) {
+          if (uses.size() != 1) return;
+          Face face{};
+          for (std::size_t c = 0; c < 3; ++c) {
+            face[c] = mesh.tets[static_cast<std::size_t>(uses[0].tet())]
+                               [outward[static_cast<std::size_t>(uses[0].corner())][c]];
+          }
+          std::ranges::rotate(face, std::ranges::min_element(face));
+          row.push_back(face);
+        });
+  };
+  if (detail::has_tets_of_box(mesh)) {
+    const detail::AlikeNodes nodes(*mesh.box, 1);
+    const auto move = [&nodes](Face face, const detail::AlikeNodes::Node& node) {
+      for (Index& corner : face) corner += nodes.nodes_beyond(node);
+      return face;
+    };
+    detail::move_rows(nodes, make_scratch, visit, move, first, found);
+  } else {
+    append_rows(Host{}, mesh.nodes, make_scratch, visit, first, found);
+  }
   stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, found);
   return {found.begin(), found.end()};
 }

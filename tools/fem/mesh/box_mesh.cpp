@@ -1,11 +1,12 @@
-// Tets of a box, cell by cell; all lists by formula.
+// Tets of a box, cell by cell; all lists from cell to cell.
 #include <fem/mesh/at.h>
 #include <fem/mesh/box_lists.h>
 #include <fem/mesh/mesh.h>
 #include <fem/mesh/stages.h>
-#include <physgen/detail/host_loop.h>
+#include <physgen/detail/launch.h>
 #include <physgen/error.h>
 
+#include <atomic>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,30 +15,71 @@ namespace physgen::fem {
 
 namespace {
 
-void write_box_tets(std::vector<std::array<Index, 4>>& tets, Index nx, Index ny, Index nz,
-                    const MirroredFrom& mirrored) {
-  InStage stage("tets of the box");
-  std::array<std::array<std::array<Index, 4>, 6>, 8> cells{};
-  for (unsigned mirror = 0; mirror < 8; ++mirror) cells[mirror] = detail::tets_of_cell(mirror);
-  const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
-  std::array<Index, 8> corners{};  // from the lowest one of a cell
-  for (Index c = 0; c < 8; ++c) corners[at(c)] = node(c & 1, c >> 1 & 1, c >> 2);
-  physgen::detail::for_each_index<64>(0, index_t{ny} * nz, [&](index_t row) {
-    const auto y = static_cast<Index>(row % ny), z = static_cast<Index>(row / ny);
-    std::array<Index, 4>* next = tets.data() + 6 * row * nx;
-    for (Index x = 0; x < nx; ++x) {
-      const unsigned mirror = (x >= mirrored.x ? 1U : 0U) | (y >= mirrored.y ? 2U : 0U) | (z >= mirrored.z ? 4U : 0U);
+// The tets of a box, cell by cell.
+class TetsOfBox {
+ public:
+  explicit TetsOfBox(const BoxCells& box) : box_(box) {
+    for (unsigned mirror = 0; mirror < 8; ++mirror) cells_[mirror] = detail::tets_of_cell(mirror);
+    for (Index c = 0; c < 8; ++c) corners_[at(c)] = node(c & 1, c >> 1 & 1, c >> 2);
+  }
+  [[nodiscard]] index_t rows() const { return index_t{box_.cells[1]} * box_.cells[2]; }
+  [[nodiscard]] index_t tets_of_row() const { return index_t{6} * box_.cells[0]; }
+  // Calls act(tet) for the tets of a row of cells along x.
+  template <class Act>
+  void each_of_row(index_t row, const Act& act) const {
+    const auto y = static_cast<Index>(row % box_.cells[1]), z = static_cast<Index>(row / box_.cells[1]);
+    const MirroredFrom& from = box_.mirrored;
+    for (Index x = 0; x < box_.cells[0]; ++x) {
+      const unsigned mirror = (x >= from.x ? 1U : 0U) | (y >= from.y ? 2U : 0U) | (z >= from.z ? 4U : 0U);
       const Index origin = node(x, y, z);
-      for (const auto& tet : cells[mirror]) {
-        for (std::size_t c = 0; c < 4; ++c) (*next)[c] = origin + corners[at(tet[c])];
-        ++next;
+      for (const auto& corners : cells_[mirror]) {
+        std::array<Index, 4> tet{};
+        for (std::size_t c = 0; c < 4; ++c) tet[c] = origin + corners_[at(corners[c])];
+        act(tet);
       }
     }
+  }
+
+ private:
+  [[nodiscard]] Index node(Index x, Index y, Index z) const {
+    return x + (box_.cells[0] + 1) * (y + (box_.cells[1] + 1) * z);
+  }
+
+  BoxCells box_;
+  std::array<std::array<std::array<Index, 4>, 6>, 8> cells_{};
+  std::array<Index, 8> corners_{};  // from the lowest one of a cell
+};
+
+void write_box_tets(TetMesh& mesh) {
+  InStage stage("tets of the box");
+  const TetsOfBox box(*mesh.box);
+  physgen::detail::for_each_index<64>(0, box.rows(), [&](index_t row) {
+    std::array<Index, 4>* next = mesh.tets.data() + row * box.tets_of_row();
+    box.each_of_row(row, [&next](const std::array<Index, 4>& tet) { *next++ = tet; });
   });
-  stage.moves(tets);
+  stage.moves(mesh.tets);
 }
 
 }  // namespace
+
+bool detail::has_tets_of_box(const TetMesh& mesh) {
+  if (!mesh.box) return false;
+  const TetsOfBox box(*mesh.box);
+  const auto& [nx, ny, nz] = mesh.box->cells;
+  if (mesh.nodes != (nx + 1) * (ny + 1) * (nz + 1)) return false;
+  if (static_cast<index_t>(mesh.tets.size()) != box.rows() * box.tets_of_row()) return false;
+  std::atomic<bool> has_all = true;
+  physgen::detail::for_each_index<64>(0, box.rows(), [&](index_t row) {
+    const std::array<Index, 4>* next = mesh.tets.data() + row * box.tets_of_row();
+    bool is_same = true;
+    box.each_of_row(row, [&](const std::array<Index, 4>& tet) {
+      for (std::size_t c = 0; c < 4; ++c) is_same &= tet[c] == (*next)[c];
+      ++next;
+    });
+    if (!is_same) has_all = false;
+  });
+  return has_all;
+}
 
 TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
   if (nx < 1 || ny < 1 || nz < 1) {
@@ -49,10 +91,11 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored
     throw Error("box mesh: " + std::to_string(6. * nx * ny * nz) + " tets: their incidences do not fit a 32-bit index");
   }
   TetMesh mesh;
+  mesh.box = BoxCells{{nx, ny, nz}, mirrored};
   mesh.nodes = (nx + 1) * (ny + 1) * (nz + 1);
   mesh.tets.resize(6 * at(nx) * at(ny) * at(nz));
-  write_box_tets(mesh.tets, nx, ny, nz, mirrored);
-  detail::write_box_lists(mesh, nx, ny, nz, mirrored);
+  write_box_tets(mesh);
+  detail::write_box_lists(mesh);
   return mesh;
 }
 

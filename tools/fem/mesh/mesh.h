@@ -8,6 +8,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,20 @@ struct IncidenceList {
 /// The ends of edges (m, n), m < n, ascending.
 using EdgeList = HostList<std::array<Index, 2>>;
 
+/// The cells of a box that are cut as the mirror images of those before them: from this number on along each axis.
+struct MirroredFrom {
+  static constexpr Index none = std::numeric_limits<Index>::max();
+  Index x = none, y = none, z = none;
+  bool operator==(const MirroredFrom&) const = default;
+};
+
+/// A box of cells: how many along each axis, and which are mirrored.
+struct BoxCells {
+  std::array<Index, 3> cells{};
+  MirroredFrom mirrored;
+  bool operator==(const BoxCells&) const = default;
+};
+
 struct TetMesh {
   Index nodes = 0;
   std::vector<std::array<Index, 4>> tets;  ///< corners i, j, k, l; det[x_j-x_i, x_k-x_i, x_l-x_i] > 0 at rest
@@ -46,6 +61,8 @@ struct TetMesh {
   IncidenceList node_tets;   ///< tet, corner
   IncidenceList node_edges;  ///< edge, side; side 0: the node is m, side 1: it is n
   IncidenceList edge_tets;   ///< tet, local edge, + 6 if the tet has the edge as (n, m)
+  /// What make_box_mesh() made it of. Lists may have been changed since: who goes by it checks those that it reads.
+  std::optional<BoxCells> box = std::nullopt;
 };
 
 /// Edges and incidence lists of the given tets.
@@ -54,12 +71,6 @@ struct TetMesh {
 
 /// Per node, its edges of an ascending list: edge, side. The entries of a node are those that TetMesh::node_edges has.
 [[nodiscard]] IncidenceList edges_of_nodes(Index nodes, std::span<const std::array<Index, 2>> edges);
-
-/// The cells of a box that are cut as the mirror images of those before them: from this number on along each axis.
-struct MirroredFrom {
-  static constexpr Index none = std::numeric_limits<Index>::max();
-  Index x = none, y = none, z = none;
-};
 
 /// A box of nx * ny * nz cells, each cut into the 6 tets around its main diagonal (Kuhn, Freudenthal): conforming, all
 /// of one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z). Diagonals run from the lowest to the highest

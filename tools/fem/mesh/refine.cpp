@@ -135,20 +135,12 @@ std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz, cons
     throw Error("box parents: " + std::to_string(48. * nx * ny * nz) +
                 " tets: their incidences do not fit a 32-bit index");
   }
-  const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
+  const BoxCells coarse{{nx, ny, nz}, mirrored};
   std::vector<std::array<Index, 2>> parents(at(2 * nx + 1) * at(2 * ny + 1) * at(2 * nz + 1));
-  // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends; in
-  // mirrored cells up and down.
-  physgen::detail::for_each_index<4>(0, index_t{2 * ny + 1} * (2 * nz + 1), [&](index_t row) {
+  physgen::detail::for_each_index<64>(0, index_t{2 * ny + 1} * (2 * nz + 1), [&](index_t row) {
     const auto y = static_cast<Index>(row % (2 * ny + 1)), z = static_cast<Index>(row / (2 * ny + 1));
     std::array<Index, 2>* next = parents.data() + row * (2 * nx + 1);
-    for (Index x = 0; x <= 2 * nx; ++x) {
-      const Index up_x = x / 2 >= mirrored.x ? 1 : 0, up_y = y / 2 >= mirrored.y ? 1 : 0;
-      const Index up_z = z / 2 >= mirrored.z ? 1 : 0;
-      const Index one = node((x + up_x) / 2, (y + up_y) / 2, (z + up_z) / 2);
-      const Index other = node((x + 1 - up_x) / 2, (y + 1 - up_y) / 2, (z + 1 - up_z) / 2);
-      *next++ = {std::min(one, other), std::max(one, other)};
-    }
+    for (Index x = 0; x <= 2 * nx; ++x) *next++ = box_parents_at(coarse, {x, y, z});
   });
   return parents;
 }

@@ -4,6 +4,7 @@
 
 #include <fem/mesh/mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -26,6 +27,21 @@ struct Refined {
 /// half as wide. Source of the cut: Bey 1995.
 /// @throws Error when rest has not mesh.nodes points, or the fine mesh exceeds 32-bit numbers
 [[nodiscard]] Refined refine(const TetMesh& mesh, std::span<const Point> rest);
+
+/// The parents that box_parents() gives the node at a place. @param coarse the box with half as many cells
+[[nodiscard]] inline std::array<Index, 2> box_parents_at(const BoxCells& coarse, const std::array<Index, 3>& place) {
+  // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends; in
+  // mirrored cells up and down.
+  const std::array<Index, 3> mirrored{coarse.mirrored.x, coarse.mirrored.y, coarse.mirrored.z};
+  Index one = 0, other = 0, distance = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index up = place[k] / 2 >= mirrored[k] ? 1 : 0;
+    one += distance * ((place[k] + up) / 2);
+    other += distance * ((place[k] + 1 - up) / 2);
+    distance *= coarse.cells[k] + 1;
+  }
+  return {std::min(one, other), std::max(one, other)};
+}
 
 /// Parents of the nodes of make_box_mesh(2 nx, 2 ny, 2 nz) among those of make_box_mesh(nx, ny, nz, mirrored): {v, v}
 /// for nodes at the same place, else the two ends, ascending, of the coarse edge whose midpoint the node is.

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "../irregular.h"
+#include "box_levels.h"
 
 namespace physgen::fem {
 namespace {
@@ -19,7 +20,6 @@ namespace {
 using Edge = std::array<Index, 2>;
 using Lists = std::vector<std::vector<IncidenceEntry>>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Edge ordered(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 IncidenceList listed(const Lists& lists) {
@@ -203,6 +203,90 @@ TEST(LevelGraphs, over_background_grids_are_those_of_sets) {
   std::vector<MeshLevel> levels = make_levels(tets, 0, true, free_node);
   ASSERT_GT(add_background_grid(levels)[0], 0);
   expect_right_graphs(levels);
+}
+
+/// All lists of levels are those of the same levels that nothing says are boxes.
+/// @param repeating how many of the finest levels are to be taken for boxes
+void expect_same_without_boxes(const std::vector<MeshLevel>& levels, std::size_t repeating) {
+  std::vector<MeshLevel> plain = levels;
+  for (MeshLevel& level : plain) level.mesh.box.reset();
+  set_threads(1);
+  const std::vector<LevelGraph> expected = make_level_graphs(plain);
+  for (const int count : {1, 2, 16}) {
+    SCOPED_TRACE(std::to_string(count) + " threads");
+    set_threads(count);
+    const std::vector<LevelGraph> graphs = make_level_graphs(levels);
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      SCOPED_TRACE("level " + std::to_string(l));
+      EXPECT_FALSE(expected[l].box.has_value());
+      EXPECT_EQ(graphs[l].box.has_value(), l < repeating);
+      EXPECT_EQ(graphs[l].edges, expected[l].edges);
+      EXPECT_EQ(graphs[l].node_edges, expected[l].node_edges);
+      EXPECT_EQ(graphs[l].children, expected[l].children);
+      EXPECT_EQ(graphs[l].edge_terms, expected[l].edge_terms);
+      const EdgeParts parts = make_edge_parts(levels[l], graphs[l]),
+                      expected_parts = make_edge_parts(plain[l], expected[l]);
+      EXPECT_EQ(parts.edge_tets.first, expected_parts.edge_tets.first);
+      EXPECT_EQ(parts.edge_patches, expected_parts.edge_patches);
+    }
+  }
+  set_threads(0);
+}
+
+TEST(LevelGraphs, of_cubes_by_formula_are_those_of_any_mesh) {
+  for (const Index cells : {1, 2, 3, 4, 5, 6, 7, 9, 10, 14, 16, 20, 24}) {
+    SCOPED_TRACE(std::to_string(cells) + " cells");
+    for (const bool patches : {false, true}) {
+      const auto levels = make_cube_levels(cells, 0.08, patches);
+      expect_same_without_boxes(levels, levels.size());
+    }
+  }
+}
+
+TEST(LevelGraphs, of_boxes_by_formula_are_those_of_any_mesh) {
+  constexpr Index none = MirroredFrom::none;
+  for (const bool patches : {false, true}) {
+    for (const auto& mirrored : {MirroredFrom{}, {1, 2, none}, {0, none, 3}, {3, 1, 1}}) {
+      expect_same_without_boxes(box_levels({3, 2, 4}, mirrored, 2, patches), 3);
+      expect_same_without_boxes(box_levels({1, 5, 2}, mirrored, 1, patches), 2);
+    }
+    expect_right_graphs(box_levels({3, 1, 2}, {1, none, 1}, 2, patches));
+  }
+}
+
+TEST(LevelGraphs, of_meshes_that_only_look_like_boxes_are_found_among_their_tets) {
+  for (const bool patches : {false, true}) {
+    const std::vector<MeshLevel> levels = box_levels({6, 5, 7}, {3, 2, 4}, 1, patches);
+    for (const std::size_t l : {0, 1}) {
+      SCOPED_TRACE("level " + std::to_string(l));
+      const auto expect_same = [&](std::size_t repeating, const auto& change) {
+        std::vector<MeshLevel> changed = levels;
+        change(changed[l]);
+        expect_same_without_boxes(changed, repeating);
+      };
+      const auto expect_own_lists = [&](const auto& change_tets) {
+        expect_same(l, [&](MeshLevel& level) {
+          auto tets = level.mesh.tets;
+          change_tets(tets);
+          level.mesh = make_tet_mesh(level.mesh.nodes, tets);
+          level.mesh.box = levels[l].mesh.box;
+        });
+      };
+      const std::size_t size = levels[l].mesh.tets.size(), middle = size / 2 / 6 * 6;
+      expect_own_lists([&](auto& tets) { tets.resize(size - 6); });
+      expect_own_lists([&](auto& tets) { turn_cell(levels[l].mesh, middle, tets); });
+      expect_same(l, [](MeshLevel& level) { level.mesh.box->mirrored.y += 1; });
+      expect_same(l, [](MeshLevel& level) { std::swap(level.mesh.box->cells[0], level.mesh.box->cells[1]); });
+      if (patches) {
+        expect_same(l + 2, [](MeshLevel& level) { level.patches = {}; });
+        expect_same(l, [](MeshLevel& level) { level.patches.node_counts[5] = 7; });
+        expect_same(l, [](MeshLevel& level) { level.patches.nodes[7] = level.patches.nodes[6]; });
+      }
+      if (l == 1) continue;
+      expect_same(1, [](MeshLevel& level) { std::swap(level.parents[20], level.parents[21]); });
+      expect_same(1, [](MeshLevel& level) { level.parents.back()[0] -= 1; });
+    }
+  }
 }
 
 }  // namespace

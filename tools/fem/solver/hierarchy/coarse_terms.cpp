@@ -1,11 +1,13 @@
 // Coarse node by coarse node: what connects it with higher ones is found among the edges of its children.
 #include <fem/mesh/stages.h>
+#include <fem/solver/hierarchy/box_levels.h>
 #include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/galerkin_terms.h>
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -104,6 +106,50 @@ struct TermsOfNode {
   std::vector<IncidenceEntry> terms;
 };
 
+// A term of the first node of a kind: that of a fine node, or of an edge by its number among those of its lower node.
+struct MovableTerm {
+  Index node, edge, code;
+};
+
+// Calls put(node, terms) for all coarse nodes. @param find called as find(node, scratch), for the first nodes of each
+// kind; returns their terms
+template <class MakeScratch, class Find, class Put>
+void move_terms(const LevelGraph& fine, const AlikeNodes& nodes, std::span<const Index> first_higher,
+                const MakeScratch& make_scratch, const Find& find, const Put& put) {
+  HostList<Index> first;
+  HostList<MovableTerm> movable;
+  append_rows(
+      Host{}, nodes.kinds(), make_scratch,
+      [&](index_t kind, TermsOfNode& own, std::vector<MovableTerm>& row) {
+        for (const auto& [element, code] : find(nodes.first(kind), own)) {
+          if (galerkin_block(code) == GalerkinBlock::node) {
+            row.push_back({element, none, code});
+          } else {
+            const Index lower = fine.edges[at(element)][0];
+            row.push_back({lower, element - first_higher[at(lower)], code});
+          }
+        }
+      },
+      first, movable);
+  RegionFailure failure;
+  nodes.each_row([](Index /*first*/) { return std::vector<IncidenceEntry>(); },
+                 [&](const AlikeNodes::Node& node, std::vector<IncidenceEntry>& moved) {
+                   failure.guard([&] {
+                     const Index beyond = nodes.fine_nodes_beyond(node);
+                     const Index begin = first[at(node.kind)], end = first[at(node.kind) + 1];
+                     moved.resize(at(end - begin));
+                     for (Index k = begin; k < end; ++k) {
+                       const MovableTerm& term = movable[at(k)];
+                       const Index at_node = term.node + beyond;
+                       moved[at(k - begin)] = {term.edge == none ? at_node : first_higher[at(at_node)] + term.edge,
+                                               term.code};
+                     }
+                     put(node.number, std::span<const IncidenceEntry>(moved));
+                   });
+                 });
+  failure.rethrow();
+}
+
 }  // namespace
 
 GridCounts::GridCounts(const LevelGraph& fine, const GridTerms& terms, Index coarse_nodes)
@@ -141,17 +187,18 @@ void GridCounts::add(Index coarse, Index child, TermCounts& counts) const {
   }
 }
 
-CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes) {
+CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes, const std::optional<BoxCells>& box) {
   InStage stage("coarse pairs");
   CoarsePairs found;
   const auto append = [&](const auto& make_scratch, const auto& count) {
-    append_rows(
-        Host{}, coarse_nodes, make_scratch,
+    rows_of_nodes(
+        box, coarse_nodes, make_scratch,
         [&](index_t coarse, auto& own, std::vector<CoarsePairs::Pair>& row) {
           const auto node = static_cast<Index>(coarse);
           count(node, own);
           own.counts.take_higher(node, [&](Index other, Index terms) { row.push_back({other, terms}); });
         },
+        [](const CoarsePairs::Pair& pair, Index beyond) { return CoarsePairs::Pair{pair.other + beyond, pair.terms}; },
         found.first, found.pairs);
   };
   struct Scratch {
@@ -205,23 +252,31 @@ void each_edge_terms(const LevelGraph& fine, const LevelGraph& coarse, const Put
   const HostList<Index> first = first_edges(coarse.nodes, coarse.edges);
   const HostList<Index> first_higher = first_edges(fine.nodes, fine.edges);
   const HostList<Index>& rows = fine.edge_terms.first;
+  const auto make_scratch = [&] {
+    return TermsOfNode{std::vector<Index>(at(coarse.nodes) + 1), LowerEnds(fine.nodes), {}};
+  };
   with_terms(fine, [&](const auto& terms) {
-    each_node(
-        coarse.nodes, [&] { return TermsOfNode{std::vector<Index>(at(coarse.nodes) + 1), LowerEnds(fine.nodes), {}}; },
-        [&](Index node, TermsOfNode& own) {
-          const Index from = first[at(node)], to = first[at(node) + 1], begin = rows[at(from)];
-          own.terms.resize(at(rows[at(to)] - begin) + 1);
-          for (Index e = from; e < to; ++e) {
-            own.places[at(coarse.edges[at(e)][1]) + 1] = rows[at(e)] - begin + 1;
-          }
-          each_term(fine, first_higher, terms, node, own.ends, [&](Index other, Index element, Index code) {
-            Index& place = own.places[at(index_t{other} + 1)];
-            const bool is_higher = other > node;
-            own.terms[at(is_higher ? place : 0)] = {element, code};
-            place += is_higher ? 1 : 0;
-          });
-          put(begin, std::span(own.terms).subspan(1));
-        });
+    const auto find = [&](Index node, TermsOfNode& own) {
+      const Index from = first[at(node)], to = first[at(node) + 1], begin = rows[at(from)];
+      own.terms.resize(at(rows[at(to)] - begin) + 1);
+      for (Index e = from; e < to; ++e) {
+        own.places[at(coarse.edges[at(e)][1]) + 1] = rows[at(e)] - begin + 1;
+      }
+      each_term(fine, first_higher, terms, node, own.ends, [&](Index other, Index element, Index code) {
+        Index& place = own.places[at(index_t{other} + 1)];
+        const bool is_higher = other > node;
+        own.terms[at(is_higher ? place : 0)] = {element, code};
+        place += is_higher ? 1 : 0;
+      });
+      return std::span<const IncidenceEntry>(own.terms).subspan(1);
+    };
+    if (fine.box && coarse.box) {
+      move_terms(fine, AlikeNodes(*coarse.box, reach_of_edges), first_higher, make_scratch, find,
+                 [&](Index node, std::span<const IncidenceEntry> moved) { put(rows[at(first[at(node)])], moved); });
+    } else {
+      each_node(coarse.nodes, make_scratch,
+                [&](Index node, TermsOfNode& own) { put(rows[at(first[at(node)])], find(node, own)); });
+    }
   });
   stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents, coarse.edges,
               rows);

@@ -4,6 +4,8 @@
 
 #include <fem/solver/hierarchy/level_graph.h>
 
+#include <optional>
+
 namespace physgen::fem::detail {
 
 /// Per coarse node: higher coarse nodes that P^T K P connects it with, and how many terms their block has.
@@ -16,7 +18,8 @@ struct CoarsePairs {
 };
 
 /// @pre the level has its edges and its children
-[[nodiscard]] CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes);
+/// @param box LevelGraph::box of the coarse level
+[[nodiscard]] CoarsePairs coarse_pairs(const LevelGraph& fine, Index coarse_nodes, const std::optional<BoxCells>& box);
 
 /// Where the terms of each coarse edge begin, and the last ones end.
 /// @pre the coarser level has its edges, `pairs` among them

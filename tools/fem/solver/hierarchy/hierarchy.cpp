@@ -1,5 +1,6 @@
 #include <fem/mesh/refine.h>
 #include <fem/mesh/stages.h>
+#include <fem/solver/hierarchy/box_levels.h>
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
@@ -11,6 +12,26 @@ namespace {
 
 using detail::first_edges;
 using physgen::detail::for_each_index;
+
+/// EdgeParts::edge_patches of patches that are the cells of a box.
+/// @param first per node: the first of its edges to higher nodes; and one more
+IncidenceList patches_of_box_edges(const BoxCells& box, std::span<const Index> first,
+                                   std::span<const std::array<Index, 2>> edges) {
+  const detail::AlikeNodes nodes(box, detail::reach_of_edges);
+  return detail::lists_of_box_edges(
+      nodes, first,
+      [&](Index node, Index edge, const auto& act) {
+        const std::array<Index, 3> other = detail::place_of(box, edges[at(edge)][1]);
+        detail::each_cell_of_node(box, detail::place_of(box, node), [&](Index cell, Index slot) {
+          detail::each_cell_of_node(box, other, [&](Index same, Index other_slot) {
+            if (same == cell) act(IncidenceEntry{cell, slot + 8 * other_slot});
+          });
+        });
+      },
+      [&nodes](const IncidenceEntry& entry, const detail::AlikeNodes::Node& node) {
+        return IncidenceEntry{entry.element + nodes.cells_beyond(node), entry.local};
+      });
+}
 
 }  // namespace
 
@@ -43,7 +64,7 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
     Index e = own[at(node)];
     for (Index k = first[at(node)]; k < first[at(node) + 1]; ++k) {
       parts.edge_tets.first[at(k)] = level.mesh.edge_tets.first[at(e)];
-      if (e < own[at(node) + 1] && level.mesh.edges[at(e)] == graph.edges[at(k)]) ++e;
+      if (e < own[at(node) + 1] && level.mesh.edges[at(e)][1] == graph.edges[at(k)][1]) ++e;
     }
   });
   stage.moves(level.mesh.edges, graph.edges, level.mesh.edge_tets.first, parts.edge_tets.first);
@@ -52,6 +73,11 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
     parts.edge_patches.first.resize(graph.edges.size() + 1);
     for_each_index(0, static_cast<index_t>(graph.edges.size()) + 1,
                    [&](index_t e) { parts.edge_patches.first[at(e)] = 0; });
+    return parts;
+  }
+  if (graph.box && detail::has_cell_patches(level)) {
+    parts.edge_patches = patches_of_box_edges(*graph.box, first, graph.edges);
+    stage.moves(patches.nodes, parts.edge_patches.first, parts.edge_patches.entries);
     return parts;
   }
   const IncidenceList node_patches = make_node_patches(level);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace physgen::fem {
@@ -25,6 +26,9 @@ struct LevelGraph {
   /// Per coarse edge: fine node or edge, galerkin_code(); of a grid with one quarter, since weights are looked up. Of a
   /// graph that is counted its rows are known, and not yet their entries.
   IncidenceList edge_terms;
+  /// Where the edges, and those of all finer levels, are found to repeat from cell to cell of a box: its cells. Then
+  /// the parents of the next finer level's nodes do so, too.
+  std::optional<BoxCells> box = std::nullopt;
 };
 
 }  // namespace physgen::fem

@@ -1,5 +1,6 @@
 #include <fem/mesh/rings.h>
 #include <fem/mesh/stages.h>
+#include <fem/solver/hierarchy/box_levels.h>
 #include <fem/solver/hierarchy/check_parents.h>
 #include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/level_graphs.h>
@@ -21,10 +22,14 @@ using detail::check_parents;
 using detail::coarse_pairs;
 using detail::CoarsePairs;
 using detail::copy_of;
+using detail::each_cell_of_node;
 using detail::first_edges;
 using detail::for_each_index;
 using detail::HigherNodes;
 using detail::patches_of_nodes;
+using detail::place_of;
+using detail::repeated_box;
+using detail::rows_of_nodes;
 
 void require_sizes(std::size_t l, const MeshLevel& level) {
   const std::size_t size = at(level.mesh.nodes);
@@ -94,20 +99,27 @@ void require_graphs(std::span<const MeshLevel> levels, const std::vector<LevelGr
 }
 
 /// The edges of a level: those of its tets, of nodes that share a mean volume, and those that finer levels have.
-EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
+/// @param first of its edges to higher nodes, per node; and one more
+EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer, const std::optional<BoxCells>& box,
+                  HostList<Index>& first_of_all) {
   InStage stage("edges of levels");
   const bool patches = !level.patches.nodes.empty(), rings = level.averages_at_nodes;
   const HostList<Index> first = first_edges(level.mesh.nodes, level.mesh.edges);
-  const IncidenceList node_patches = patches ? patches_of_nodes(level) : IncidenceList();
+  const IncidenceList node_patches = patches && !box ? patches_of_nodes(level) : IncidenceList();
+  const auto each_patch = [&](Index node, const auto& act) {
+    if (box) return each_cell_of_node(*box, place_of(*box, node), act);
+    for (Index k = node_patches.first[at(node)]; k < node_patches.first[at(node) + 1]; ++k) {
+      act(node_patches.entries[at(k)].element, node_patches.entries[at(k)].local);
+    }
+  };
   const NodeRings node_rings = rings ? make_rings(level.mesh) : NodeRings();
   struct Scratch {
     HigherNodes nodes;
     std::optional<HigherInRings> in_rings;
   };
-  HostList<Index> first_of_all;
   EdgeList edges;
-  append_rows(
-      Host{}, level.mesh.nodes,
+  rows_of_nodes(
+      box, level.mesh.nodes,
       [&] {
         Scratch scratch{HigherNodes(level.mesh.nodes), std::nullopt};
         if (rings) scratch.in_rings.emplace(level.mesh.nodes);
@@ -118,11 +130,12 @@ EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
         HigherNodes& higher = scratch.nodes;
         higher.begin(node);
         for (Index e = first[at(m)]; e < first[at(m) + 1]; ++e) higher.add(level.mesh.edges[at(e)][1]);
-        for (Index k = patches ? node_patches.first[at(m)] : 0; patches && k < node_patches.first[at(m) + 1]; ++k) {
-          const Index patch = node_patches.entries[at(k)].element;
-          for (Index slot = 0; slot < level.patches.node_counts[at(patch)]; ++slot) {
-            higher.add(level.patches.nodes[at(patch)][at(slot)]);
-          }
+        if (patches) {
+          each_patch(node, [&](Index patch, Index /*slot*/) {
+            for (Index slot = 0; slot < level.patches.node_counts[at(patch)]; ++slot) {
+              higher.add(level.patches.nodes[at(patch)][at(slot)]);
+            }
+          });
         }
         if (rings) {
           scratch.in_rings->find(node_rings, node);
@@ -135,6 +148,7 @@ EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
         }
         for (const Index n : higher.sorted()) row.push_back({node, n});
       },
+      [](const std::array<Index, 2>& edge, Index beyond) { return std::array{edge[0] + beyond, edge[1] + beyond}; },
       first_of_all, edges);
   stage.moves(level.mesh.edges, node_patches.entries, level.patches.nodes, node_rings.nodes, of_finer.pairs, edges);
   return edges;
@@ -149,8 +163,10 @@ void put_edges(const MeshLevel& level, const CoarsePairs& of_finer, LevelGraph& 
     stage.moves(graph.edges, graph.edges, graph.node_edges.entries, graph.node_edges.entries);
     return;
   }
-  graph.edges = edges_of(level, of_finer);
-  graph.node_edges = edges_of_nodes(graph.nodes, graph.edges);
+  HostList<Index> first;
+  graph.edges = edges_of(level, of_finer, graph.box, first);
+  graph.node_edges = graph.box ? detail::edges_of_box_nodes(*graph.box, detail::reach_of_edges, first, graph.edges)
+                               : edges_of_nodes(graph.nodes, graph.edges);
 }
 
 IncidenceList children_of(const LevelGraph& graph, Index coarse_nodes) {
@@ -185,6 +201,7 @@ std::vector<LevelGraph> make_counted_graphs(std::span<const MeshLevel> levels, b
     const MeshLevel& level = levels[l];
     LevelGraph& graph = graphs[l];
     require_sizes(l, level);
+    if (edges && l == 0) graph.box = repeated_box(level, nullptr, std::nullopt);
     graph.nodes = level.mesh.nodes;
     graph.is_grid = level.is_grid();
     graph.fixed = level.fixed;
@@ -202,7 +219,8 @@ std::vector<LevelGraph> make_counted_graphs(std::span<const MeshLevel> levels, b
     }
     if (!edges) continue;
     graph.children = children_of(graph, levels[l + 1].mesh.nodes);
-    of_finer = coarse_pairs(graph, levels[l + 1].mesh.nodes);
+    graphs[l + 1].box = repeated_box(levels[l + 1], &level, graph.box);
+    of_finer = coarse_pairs(graph, levels[l + 1].mesh.nodes, graphs[l + 1].box);
   }
   return graphs;
 }
