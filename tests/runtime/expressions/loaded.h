@@ -170,8 +170,11 @@ struct AtOnce {
   }
 };
 
+/// The numbers of the expressions that are compared.
+enum class Numbers { all, odd, even };
+
 /// Compares expressions of what an index of a view loads with those of named copies.
-template <class View, class I>
+template <class View, class I, Numbers kNumbers>
 class Expressions {
   using S = lanes_t<typename View::Precision, I>;
 
@@ -181,6 +184,9 @@ class Expressions {
   void compare_all() const;
 
  private:
+  static constexpr bool takes(int number) {
+    return kNumbers == Numbers::all || (number % 2 == 1) == (kNumbers == Numbers::odd);
+  }
   template <class Body>
   [[gnu::noinline]] auto form(const Body& body) const {
     return body(Later{}, o_, two_, mask_);
