@@ -1,5 +1,6 @@
-// That no field is kept in vain, by the compiler's word: where every field that is read were pruned, one compilation
-// names each of them, and no other. What scenes of the solver include is read once, for this compiler and for Clang.
+// That no field is kept in vain, by a compiler's word: where every field that is read were pruned, one compilation names
+// each of them, and no other. The compiler is clang++, which takes half as long as g++; that g++ needs no more fields is
+// what the build shows. What scenes of the solver include is read once, for this compiler and for the analysis.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -70,7 +71,7 @@ std::string program_unit(const scenes::Scene& scene) {
 /// What the compiler says. @param what it is to do, as a shell reads it
 std::string compile(const std::string& what) {
   std::string command =
-      "LC_ALL=C " + std::string(PHYSGEN_COMPILER) + " -std=c++20 -w -ftemplate-backtrace-limit=1 -fmax-errors=0";
+      PHYSGEN_CLANG " -std=c++20 -w -ftemplate-backtrace-limit=1 -ferror-limit=0 -fno-caret-diagnostics";
   for (const std::string& flag : flags()) command += " " + flag;
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + " " + what + " 2>&1").c_str(), "r"), ::pclose);
   std::string text;
@@ -106,7 +107,7 @@ std::set<std::string> fields_read(const scenes::Needs& needs) {
 /// The fields that a compiler's messages say to be pruned.
 std::set<std::string> refused_fields(const std::string& said) {
   std::set<std::string> named;
-  const std::regex tag("Field_ = [A-Za-z0-9_:]*_scene::tags::([A-Za-z0-9_:]*[A-Za-z0-9])");
+  const std::regex tag("Pruned<[A-Za-z0-9_:, ]*_scene::tags::([A-Za-z0-9_:]*)>::");
   for (auto match = std::sregex_iterator(said.begin(), said.end(), tag); match != std::sregex_iterator(); ++match)
     named.insert(std::regex_replace((*match)[1].str(), std::regex("::"), "_"));
   return named;
@@ -119,7 +120,7 @@ class EveryScene : public testing::TestWithParam<std::string> {
     std::string includes = "#include <physgen/executor.h>\n";
     for (const std::string& header : split(PHYSGEN_SOLVER_HEADERS)) includes += "#include <" + header + ">\n";
     const std::string file = precompiled->write("headers.h", includes);
-    const std::string said = compile("-x c++-header " + file + " -o " + file + ".gch");
+    const std::string said = compile("-x c++-header " + file + " -o " + file + ".pch");
     ASSERT_EQ(said, "");
     usage::Diagnostics diagnostics;
     ASSERT_TRUE(usage::precompile(*precompiled / "headers.pch", clang_flags(), {usage::Side::host}, diagnostics))
@@ -133,7 +134,7 @@ class EveryScene : public testing::TestWithParam<std::string> {
   }
   /// Of a unit: reads what is precompiled first.
   static std::string errors_of(const std::string& unit) {
-    return compile("-fsyntax-only -Winvalid-pch -include " + (*precompiled / "headers.h") + " " + unit);
+    return compile("-fsyntax-only -include-pch " + (*precompiled / "headers.h.pch") + " " + unit);
   }
 
   static inline std::unique_ptr<Folder> precompiled;

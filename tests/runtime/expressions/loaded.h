@@ -37,21 +37,19 @@ struct Halved {
     return static_cast<float>(value / Real(2));
   }
 };
-using Native = tissue::model::ShapesFormats<Host>;
-template <class Format, class Turn>
-struct In : Native {
-  using v = Format;
-  using F = Format;
-  using B = Format;
-  using row = Format;
-  using K = Format;
-  using s = Format;
-  using W = Format;
+/// Three formats, each of some fields, and one of a rotation.
+template <class First, class Second, class Third, class Turn>
+struct In : tissue::model::ShapesFormats<Host> {
+  using v = First;
+  using F = Second;
+  using B = Third;
+  using row = First;
+  using K = Second;
+  using s = Third;
+  using W = First;
   using U = Turn;
   using V = Turn;
 };
-using Halves = In<format::Half<>, format::Quaternion<format::Half<>>>;
-using OwnFormats = In<Halved, format::Quaternion16>;
 
 /// Overwrites the stack below its caller's frame.
 [[gnu::noinline]] inline void trample() {
@@ -170,11 +168,8 @@ struct AtOnce {
   }
 };
 
-/// The numbers of the expressions that are compared.
-enum class Numbers { all, odd, even };
-
 /// Compares expressions of what an index of a view loads with those of named copies.
-template <class View, class I, Numbers kNumbers>
+template <class View, class I>
 class Expressions {
   using S = lanes_t<typename View::Precision, I>;
 
@@ -184,9 +179,6 @@ class Expressions {
   void compare_all() const;
 
  private:
-  static constexpr bool takes(int number) {
-    return kNumbers == Numbers::all || (number % 2 == 1) == (kNumbers == Numbers::odd);
-  }
   template <class Body>
   [[gnu::noinline]] auto form(const Body& body) const {
     return body(Later{}, o_, two_, mask_);
