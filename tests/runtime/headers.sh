@@ -20,20 +20,33 @@ more=()
 accepts() { # accepts HEADER...: twice, since a header may be included twice
   printf '#include <%s>\n' "$@" "$@" | compile -fsyntax-only "${more[@]}" -x c++ -
 }
-declare -A included precompiled
-find_included() { # find_included HEADER: all that a header includes, itself or by way of others of the runtime
-  local text=$root/runtime/include/$1 other more
-  [[ -e $text && ! ${included[$1]-} ]] || return 0
-  included[$1]=' '
-  for other in $(sed -nE 's/^#include <([^>]*)>.*$/\1/p' "$text"); do
-    find_included "$other"
-    for more in "$other" ${included[$other]-}; do
-      [[ ${included[$1]} == *" $more "* ]] || included[$1]+="$more "
-    done
-  done
-}
-first_included() { # first_included HEADER: the header of the runtime that it has before any other code
-  sed -nE '/^(\/\/.*|#pragma .*|#undef I)?$/d; s/^#include <(physgen\/.*)>.*$/\1/p; q' "$root/runtime/include/$1"
+# what_headers_include SHARED...: of each header of the runtime, the first one of SHARED that it includes, itself or by way of
+# others; and the header that it has before any other code, if that includes this one, too. `-` for none.
+what_headers_include() {
+  (cd "$root/runtime/include" && find physgen -name '*.h' -print0 | xargs -0 awk -v list="$*" '
+    FNR == 1 { behind_code = 0; names[FILENAME] = first[FILENAME] = "-" }
+    /^#include <[^>]*>/ {
+      name = substr($0, 11, index($0, ">") - 11)
+      direct[FILENAME] = direct[FILENAME] " " name
+      if (!behind_code && name ~ /^physgen\//) first[FILENAME] = name
+    }
+    !/^(\/\/.*|#pragma .*|#undef I)?$/ { behind_code = 1 }
+    function visit(header,    others, count, k) {
+      count = split(direct[header], others, " ")
+      for (k = 1; k <= count; ++k) if (!(others[k] in seen)) { seen[others[k]] = 1; visit(others[k]) }
+    }
+    END {
+      shared = split(list, wanted, " ")
+      for (header in names) {
+        split("", seen)
+        visit(header)
+        found = "-"
+        for (k = shared; k > 0; --k) if (wanted[k] in seen) found = wanted[k]
+        split("", seen)
+        visit(first[header])
+        print header, found, found == "-" || found in seen ? first[header] : "-"
+      }
+    }')
 }
 
 mapfile -t runtime < <(headers "$root/runtime/include" '*')
@@ -50,25 +63,19 @@ case $how in
     trap 'rm -rf "$work"' EXIT
     suffix=pch
     ! "$compiler" --version | grep -q 'Free Software Foundation' || suffix=gch
-    shared=(physgen/arrays/array.h physgen/detail/cursor.h physgen/fields/object_info.h Eigen/Core)  # each includes the next
+    shared=(physgen/arrays/array.h physgen/detail/cursor.h physgen/fields/object_info.h Eigen/Core)  # most first
     for header in "${shared[@]}"; do
       echo "#include <$header>" >"$work/${header//\//_}"
       compile -x c++-header "$work/${header//\//_}" -o "$work/${header//\//_}.$suffix"
     done
-    for header in "${runtime[@]}"; do
-      find_included "$header"
-      for other in "${shared[@]}"; do
-        [[ ${included[$header]} != *" $other "* ]] || { precompiled[$header]=$other; break; }
-      done
-    done
-    for header in "${runtime[@]}"; do
-      first=$(first_included "$header")
-      if [[ ! ${precompiled[$header]-} || ${included[$first]-} == *" ${precompiled[$header]} "* ]]; then elsewhere+="$first "; fi
-    done
+    declare -A precompiled
+    while read -r header included first; do
+      precompiled[$header]=$included elsewhere+="$first "
+    done < <(what_headers_include "${shared[@]}")
     for header in "${runtime[@]}"; do
       [[ $elsewhere != *" $header "* ]] || continue
       more=()
-      [[ ! ${precompiled[$header]-} ]] || more=(-include "$work/${precompiled[$header]//\//_}" -Winvalid-pch)
+      [[ ${precompiled[$header]} == - ]] || more=(-include "$work/${precompiled[$header]//\//_}" -Winvalid-pch)
       accepts "$header" || failed+=" $header"
     done
     [[ ! $failed ]] || { echo "FAILED: these do not compile alone:$failed" >&2; exit 1; }
