@@ -4,9 +4,9 @@
 # CUDA, only what ordinary C++ can include, and that where CUDA_INCLUDE names the folder of the toolkit's headers.
 # Together they are compiled behind <complex.h> and <sys/sysmacros.h>, whose macros must not change them. Those for Python
 # need pybind11; a test compiles them as a module.
-# A header that another one includes before anything else is compiled by itself there, and not a second time. Those that
-# include Eigen, itself or by way of others, take it from one precompiled header where the compiler is g++: reading it is
-# what takes time.
+# What most headers include, themselves or by way of others, is what takes time, so it is precompiled. A header that another
+# one includes before anything else is compiled by itself there, and not a second time; but where it comes behind what is
+# precompiled, it must include that, too.
 set -euo pipefail
 how=$1 compiler=$2 root=$3 flags=("${@:4}")
 headers() { # headers FOLDER PATTERN: as they are included
@@ -20,24 +20,33 @@ more=()
 accepts() { # accepts HEADER...: twice, since a header may be included twice
   printf '#include <%s>\n' "$@" "$@" | compile -fsyntax-only "${more[@]}" -x c++ -
 }
-declare -A eigen
-includes_eigen() { # includes_eigen HEADER: of the runtime, whether it does, itself or by way of others
-  local text=$root/runtime/include/$1 other
-  [[ -e $text ]] || return 1
-  if [[ ! ${eigen[$1]-} ]]; then
-    eigen[$1]=$(grep -q '^#include <Eigen/' "$text" && echo yes || echo no)
-    for other in $(sed -nE 's/^#include <(physgen\/[^>]*)>.*$/\1/p' "$text"); do
-      if includes_eigen "$other"; then eigen[$1]=yes; fi
-    done
-  fi
-  [[ ${eigen[$1]} == yes ]]
-}
-first_included() { # first_included HEADER...: the header that each has before any other code, where it is one of the runtime
-  local header
-  for header in "$@"; do
-    [[ ! -e $root/runtime/include/$header ]] ||
-      sed -nE '/^(\/\/.*|#pragma .*|#undef I)?$/d; s/^#include <(physgen\/.*)>.*$/\1/p; q' "$root/runtime/include/$header"
-  done
+# what_headers_include SHARED...: of each header of the runtime, the first one of SHARED that it includes, itself or by way of
+# others; and the header that it has before any other code, if that includes this one, too. `-` for none.
+what_headers_include() {
+  (cd "$root/runtime/include" && find physgen -name '*.h' -print0 | xargs -0 awk -v list="$*" '
+    FNR == 1 { behind_code = 0; names[FILENAME] = first[FILENAME] = "-" }
+    /^#include <[^>]*>/ {
+      name = substr($0, 11, index($0, ">") - 11)
+      direct[FILENAME] = direct[FILENAME] " " name
+      if (!behind_code && name ~ /^physgen\//) first[FILENAME] = name
+    }
+    !/^(\/\/.*|#pragma .*|#undef I)?$/ { behind_code = 1 }
+    function visit(header,    others, count, k) {
+      count = split(direct[header], others, " ")
+      for (k = 1; k <= count; ++k) if (!(others[k] in seen)) { seen[others[k]] = 1; visit(others[k]) }
+    }
+    END {
+      shared = split(list, wanted, " ")
+      for (header in names) {
+        split("", seen)
+        visit(header)
+        found = "-"
+        for (k = shared; k > 0; --k) if (wanted[k] in seen) found = wanted[k]
+        split("", seen)
+        visit(first[header])
+        print header, found, found == "-" || found in seen ? first[header] : "-"
+      }
+    }')
 }
 
 mapfile -t runtime < <(headers "$root/runtime/include" '*')
@@ -49,18 +58,24 @@ fi
 ((${#runtime[@]} > 30 && ${#others[@]} > 20)) || { echo "FAILED: hardly any header in $root" >&2; exit 1; }
 case $how in
   alone)
-    failed='' precompiled=()
-    if "$compiler" --version | grep -q 'Free Software Foundation'; then
-      work=$(mktemp -d)
-      trap 'rm -rf "$work"' EXIT
-      echo '#include <Eigen/Core>' >"$work/eigen.h"
-      compile -x c++-header "$work/eigen.h" -o "$work/eigen.h.gch"
-      precompiled=(-include "$work/eigen.h" -Winvalid-pch)
-    fi
-    mapfile -t alone < <(comm -23 <(printf '%s\n' "${runtime[@]}" | sort) <(first_included "${runtime[@]}" | sort -u))
-    for header in "${alone[@]}"; do
+    failed='' elsewhere=' '
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+    suffix=pch
+    ! "$compiler" --version | grep -q 'Free Software Foundation' || suffix=gch
+    shared=(physgen/arrays/array.h physgen/detail/cursor.h physgen/fields/object_info.h Eigen/Core)  # most first
+    for header in "${shared[@]}"; do
+      echo "#include <$header>" >"$work/${header//\//_}"
+      compile -x c++-header "$work/${header//\//_}" -o "$work/${header//\//_}.$suffix"
+    done
+    declare -A precompiled
+    while read -r header included first; do
+      precompiled[$header]=$included elsewhere+="$first "
+    done < <(what_headers_include "${shared[@]}")
+    for header in "${runtime[@]}"; do
+      [[ $elsewhere != *" $header "* ]] || continue
       more=()
-      if includes_eigen "$header"; then more=("${precompiled[@]}"); fi
+      [[ ${precompiled[$header]} == - ]] || more=(-include "$work/${precompiled[$header]//\//_}" -Winvalid-pch)
       accepts "$header" || failed+=" $header"
     done
     [[ ! $failed ]] || { echo "FAILED: these do not compile alone:$failed" >&2; exit 1; }

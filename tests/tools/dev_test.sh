@@ -186,7 +186,10 @@ case $rule in
     dev 0 try
     called 'apt-get .*install .* g++ libeigen3-dev libxsimd-dev libtbb-dev$'
     not_called '^cmake'
-    for source in layouts pressure copy no_cuda/device; do called "g++ .*-c .*$source.cpp "; done
+    for source in layouts pressure runtime; do called "g++ .*-c .*$source.cpp "; done
+    for source in copy no_cuda/device; do
+      grep -qxF "#include \"../../runtime/src/$source.cpp\"" "$root/build/try/runtime.cpp" || fail "$source.cpp is left out"
+    done
     says "ran build/try/pressure"
     says "ran build/try/layouts"
     says 'tools/dev run'

@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <set>
 #include <sstream>
 
-#include "frontend/case.h"
 #include "scenes/halos.h"
 #include "scenes/probe_unit.h"
 #include "scenes/read.h"
+#include "scenes/read_once.h"
 #include "scenes/report_halos.h"
 #include "usage/analyse.h"
 
@@ -27,10 +25,34 @@ using Texts = std::set<std::string>;
 std::vector<std::string> flags() {
   std::vector<std::string> flags;
   if (*PHYSGEN_MARCH != '\0') flags.emplace_back(PHYSGEN_MARCH);
-  std::istringstream folders(PHYSGEN_INCLUDES);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (!folder.empty()) flags.push_back("-I" + folder);
+  for (const std::string& folder : split(PHYSGEN_INCLUDES)) flags.push_back("-I" + folder);
   return flags;
+}
+std::string with_folders() {
+  std::string text = " -std=c++20 -w";
+  for (const std::string& flag : flags())
+    if (flag.starts_with("-I")) text += " " + flag;
+  return text;
+}
+const std::string of_gcc = PHYSGEN_COMPILER " -O0 " PHYSGEN_MARCH " -no-pie";
+
+/// The lines that a command prints.
+Texts lines_of(const std::string& command) {
+  Texts lines;
+  std::istringstream in(output_of(command));
+  for (std::string line; std::getline(in, line);) lines.insert(line);
+  return lines;
+}
+
+struct ReadByBoth : ReadOnce {  // by Clang and by g++
+  ReadByBoth() : ReadOnce(split(PHYSGEN_SOLVER_HEADERS), physgen::test::flags()) {
+    const std::string header = "'" + file() + "'";
+    EXPECT_EQ(output_of(of_gcc + with_folders() + " -x c++-header " + header + " -o " + header + ".gch 2>&1"), "");
+  }
+};
+const ReadOnce& once() {
+  static const ReadByBoth read;
+  return read;
 }
 
 std::string path_of(const std::string& name) {
@@ -39,10 +61,10 @@ std::string path_of(const std::string& name) {
 }
 /// Reads a scene, once, since that takes seconds.
 const scenes::Scene& scene_of(const std::string& name) {
-  static std::map<std::string, scenes::Scene> once;
-  const auto [entry, is_new] = once.try_emplace(name);
+  static std::map<std::string, scenes::Scene> known;
+  const auto [entry, is_new] = known.try_emplace(name);
   if (is_new) {
-    const auto declaration = scenes::read(path_of(name), flags());
+    const auto declaration = scenes::read(path_of(name), once().flags());
     EXPECT_TRUE(declaration.scene) << declaration.diagnostics;
     if (declaration.scene) entry->second = *declaration.scene;
   }
@@ -54,8 +76,9 @@ std::string unit_of(const std::string& name, const std::string& space) {
 
 usage::Usage usage_of(const std::string& name, usage::Side side) {
   usage::Diagnostics diagnostics;
-  auto usage = usage::analyse("unit.cpp", unit_of(name, side == usage::Side::host ? "Host" : "Cuda"), flags(), side,
-                              diagnostics);
+  const bool on_host = side == usage::Side::host;
+  auto usage = usage::analyse("unit.cpp", unit_of(name, on_host ? "Host" : "Cuda"), on_host ? once().flags() : flags(),
+                              side, diagnostics);
   EXPECT_TRUE(usage) << diagnostics.text;
   return usage ? std::move(*usage) : usage::Usage();
 }
@@ -68,25 +91,6 @@ Texts texts_of(const usage::Usage& usage) {
                   (use.address_taken ? "&" : ""));
   return result;
 }
-Texts analysed(const std::string& name, usage::Side side) { return texts_of(usage_of(name, side)); }
-
-/// The lines that a command prints.
-Texts lines_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-  std::string text;
-  char block[4096];
-  while (const auto count = std::fread(block, 1, sizeof block, pipe.get())) text.append(block, count);
-  Texts lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.insert(line);
-  return lines;
-}
-
-std::string text_of_first_error(const std::string& said) {
-  const Texts lines = lines_of("grep -m1 'error' '" + said + "'");
-  return lines.empty() ? "" : *lines.begin();
-}
-
 /// The uses that probes register in a program of the scene: compiled, linked and run. Its code is never called, so that
 /// nothing but the names of what it would call is wanted of libraries. Arrays without probes register nothing.
 /// @param compile a command that takes the source and writes what -o says, without optimisation
@@ -108,16 +112,13 @@ int main() {
 )";
   const Folder folder;
   const std::string source = folder.write("unit" + suffix, unit), program = folder / "unit", said = folder / "said";
-  std::string command = compile + " -std=c++20 -w";
-  for (const std::string& flag : flags())
-    if (flag.starts_with("-I")) command += " " + flag;
-  command += " '" + source + "' -o '" + program + "' > '" + said + "' 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0) << text_of_first_error(said);
+  const std::string command = compile + with_folders() + " '" + source + "' -o '" + program + "' > '" + said + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << output_of("grep -m1 'error' '" + said + "'");
   return lines_of("'" + program + "'");
 }
 Texts registered_by_gcc(const std::string& name) {
   return registered(name, "Host", ".cpp",
-                    PHYSGEN_COMPILER " -O0 " PHYSGEN_MARCH " -no-pie -Wl,--unresolved-symbols=ignore-all");
+                    of_gcc + " -Winvalid-pch -include '" + once().file() + "' -Wl,--unresolved-symbols=ignore-all");
 }
 
 /// What the rows of a scene's table say of the fields of arrays, as registered() does; and of what steps do in ways of
@@ -203,7 +204,7 @@ TEST(RegistrationOfScenes, is_one_set_for_gcc_clang_and_nvcc_of_a_scene_whose_st
             expected);
 #endif
   if (!usage::has_device_side()) GTEST_SKIP() << "there is no CUDA toolkit";
-  EXPECT_EQ(analysed(scene, usage::Side::device), expected);
+  EXPECT_EQ(texts_of(usage_of(scene, usage::Side::device)), expected);
 }
 
 // Not for nvcc: what steps of the solver do in a way of their own on CUDA is code for devices, which registers nothing.

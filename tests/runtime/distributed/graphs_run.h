@@ -4,11 +4,11 @@
 //
 //   --seeds A B     seeds A .. B-1
 //   --without ROW   a row of the table is left out; ends with the first seed that shows it
+//   --without each  each row that must be missed is left out in turn, and each must be missed
 //   --lacking N     need N of each set (1: the first that is not of all ghosts) lacks an object of each message
-//   --rows          says how many rows of the table must be missed when they are left out
 //   --most N        nodes of the largest graph (default 5000)
 //   --pinned        on CUDA: through pinned memory and MPI, not by NCCL
-// Exit status: 0 all equal, 3 differences were found.
+// Exit status: 0 all equal, or each row is missed; 3 differences were found; 4 a row is not missed.
 #pragma once
 
 #include <cstdio>
@@ -210,39 +210,42 @@ index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most,
   return sum;
 }
 
-template <class On>
-int run(int argc, char** argv) {
-  using Space = typename On::Space;
-  const Ranks ranks(argc, argv);
-  if (argc == 2 && argv[1] == std::string("--rows")) {
-    std::printf("%zu of %zu rows count\n", rows_that_count, std::size(table));
-    return 0;
-  }
+/// What a call asks for.
+struct Options {
   unsigned first = 0, last = 20;
   index_t most = 5000;
-  bool uses_nccl = true, is_whole = true;
+  bool uses_nccl = true;
   int lacking = 0;
-  std::vector<HaloUse> uses(std::begin(table), std::end(table));
-  for (int a = 1; a < argc; ++a) uses_nccl = uses_nccl && argv[a] != std::string("--pinned");
+  std::string left_out;  ///< a row, "each", or empty: none
+};
+
+inline Options read_options(int argc, char** argv) {
+  Options options;
+  for (int a = 1; a < argc; ++a) options.uses_nccl = options.uses_nccl && argv[a] != std::string("--pinned");
   for (int a = 1; a + 1 < argc; ++a) {
     const std::string what = argv[a];
     if (what == "--seeds" && a + 2 < argc) {
-      first = static_cast<unsigned>(std::atoi(argv[a + 1]));
-      last = static_cast<unsigned>(std::atoi(argv[a + 2]));
+      options.first = static_cast<unsigned>(std::atoi(argv[a + 1]));
+      options.last = static_cast<unsigned>(std::atoi(argv[a + 2]));
     }
-    if (what == "--lacking") lacking = std::atoi(argv[a + 1]);
-    if (what == "--most") most = std::atoi(argv[a + 1]);
-    if (what == "--without") {
-      uses = without(static_cast<std::size_t>(std::atoi(argv[a + 1])));
-      is_whole = false;
-    }
+    if (what == "--lacking") options.lacking = std::atoi(argv[a + 1]);
+    if (what == "--most") options.most = std::atoi(argv[a + 1]);
+    if (what == "--without") options.left_out = argv[a + 1];
   }
+  return options;
+}
+
+/// @param is_whole whether nothing may differ; else the first seed that differs is the last
+template <class On>
+Found run_seeds(const Ranks& ranks, const std::vector<HaloUse>& uses, const Options& options, bool is_whole) {
   Found found;
   const auto run_in = [&]<class Body>(unsigned seed) {
-    found.differences += run_seed<On, Body>(ranks, uses, seed, most, uses_nccl, lacking, found);
+    found.differences += run_seed<On, Body>(ranks, uses, seed, options.most, options.uses_nccl, options.lacking, found);
   };
-  for (unsigned seed = first; seed < last && (is_whole || found.differences == 0); ++seed) {  // all ranks know the sum
+  for (unsigned seed = options.first; seed < options.last && (is_whole || found.differences == 0);
+       ++seed) {  // all ranks know the sum
     ranks.guard([&] {
+      using Space = typename On::Space;
       // nvcc takes minutes for each of these.
       constexpr bool has_all = std::is_same_v<Space, Host>;
       if constexpr (has_all) {
@@ -256,10 +259,30 @@ int run(int argc, char** argv) {
     std::printf(
         "seeds %u to %u on %d ranks: %lld differences, %lld exchanges of %lld bytes, %lld exchanges overlapped, "
         "%zu needs of a set\n",
-        first, last - 1, ranks.count(), static_cast<long long>(found.differences),
+        options.first, options.last - 1, ranks.count(), static_cast<long long>(found.differences),
         static_cast<long long>(found.exchanges), static_cast<long long>(found.bytes),
         static_cast<long long>(found.overlapped), found.needs);
-  return found.differences == 0 ? 0 : 3;
+  return found;
+}
+
+template <class On>
+int run(int argc, char** argv) {
+  const Ranks ranks(argc, argv);
+  const Options options = read_options(argc, argv);
+  if (options.left_out == "each") {
+    for (std::size_t row = 0; row < rows_that_count; ++row) {
+      if (ranks.is_first()) std::printf("without row %zu: ", row);
+      if (run_seeds<On>(ranks, without(row), options, false).differences > 0) continue;
+      if (ranks.is_first()) std::fprintf(stderr, "without row %zu of the table nothing differs\n", row);
+      return 4;
+    }
+    if (ranks.is_first()) std::printf("each of %zu rows of %zu is missed\n", rows_that_count, std::size(table));
+    return 0;
+  }
+  const bool is_whole = options.left_out.empty();
+  const std::vector<HaloUse> uses = is_whole ? std::vector<HaloUse>(std::begin(table), std::end(table))
+                                             : without(static_cast<std::size_t>(std::stoul(options.left_out)));
+  return run_seeds<On>(ranks, uses, options, is_whole).differences == 0 ? 0 : 3;
 }
 
 }  // namespace graphs

@@ -37,21 +37,19 @@ struct Halved {
     return static_cast<float>(value / Real(2));
   }
 };
-using Native = tissue::model::ShapesFormats<Host>;
-template <class Format, class Turn>
-struct In : Native {
-  using v = Format;
-  using F = Format;
-  using B = Format;
-  using row = Format;
-  using K = Format;
-  using s = Format;
-  using W = Format;
+/// Three formats, each of some fields, and one of a rotation.
+template <class First, class Second, class Third, class Turn>
+struct In : tissue::model::ShapesFormats<Host> {
+  using v = First;
+  using F = Second;
+  using B = Third;
+  using row = First;
+  using K = Second;
+  using s = Third;
+  using W = First;
   using U = Turn;
   using V = Turn;
 };
-using Halves = In<format::Half<>, format::Quaternion<format::Half<>>>;
-using OwnFormats = In<Halved, format::Quaternion16>;
 
 /// Overwrites the stack below its caller's frame.
 [[gnu::noinline]] inline void trample() {

@@ -144,14 +144,12 @@ class Copy:
             sys.exit(f"CMake does not say that a file is missing, but:\n{text}")
 
     def program(self, source, *more):
-        """Compiles and runs a program of the test's, with more sources of the copy."""
-        objects = []
-        for path in (HERE / source, *more):
-            objects.append(self.folder / "out" / (Path(path).stem + ".o"))
-            run([*self.compiler, "-c", path if Path(path).is_absolute() else self.folder / path, "-o", objects[-1]])
-        run([self.compiler[0], *objects, *self.arguments.link, "-lquadmath",
-             "-o", self.folder / "out/program"])
-        print(run([self.folder / "out/program"], stdout=subprocess.PIPE, text=True), end="")
+        """Compiles and runs a program of the test's, with more sources of the copy in front of it: as one, since reading
+        the headers that they share is what takes time."""
+        together, program = self.folder / "out/together.cpp", self.folder / "out/program"
+        together.write_text("".join(f'#include "{path}"\n' for path in (*(self.folder / path for path in more), HERE / source)))
+        run([*self.compiler, together, *self.arguments.link, "-lquadmath", "-o", program])
+        print(run([program], stdout=subprocess.PIPE, text=True), end="")
 
 
 def material(copy):
@@ -166,7 +164,8 @@ def preconditioner(copy):
                      "diagonal|Diagonal|diagonal|diagonal", header)
     copy.program("preconditioner.cpp", f"{SOLVER}/settings.cpp")
     (copy.folder / header).write_text(DIAGONAL.replace("struct Diagonal : WithoutArrays {\n", WITHOUT_BYTES))
-    done = subprocess.run([str(word) for word in (*copy.compiler, "-fsyntax-only", HERE / "preconditioner.cpp")], capture_output=True, text=True)
+    done = subprocess.run([*map(str, copy.compiler), "-fsyntax-only", "-x", "c++", "-"], input="#include <fem/solver/preconditioners/all.h>\n",
+                          capture_output=True, text=True)
     said = "the row diagonal of PHYSGEN_PRECONDITIONERS: Diagonal has no bytes<Extra>(nodes, edges)"
     if done.returncode == 0 or said not in done.stderr:
         sys.exit(f"the compiler does not say '{said}', but:\n{done.stderr[:4000]}")
@@ -187,11 +186,8 @@ def scene(copy):
                         "SOLVER": "SolverOf", "EXECUTOR": "HostExecutor", "SPACE": "Host"}.items():
         solver = solver.replace(f"@{word}@", value)
     (copy.folder / "out/scene_solver.cpp").write_text(solver)
-    # Compiled as one, since reading the headers that they share is what takes time.
-    (copy.folder / "out/truthcube.cpp").write_text("".join(
-        f'#include "{copy.folder}/tools/truthcube/{name}.cpp"\n'
-        for name in ("arrays", "names", "run_bytes", "scene_choice", "sizes", "solver_bytes")))
-    copy.program("scene.cpp", f"{SOLVER}/solvers/solvers.cpp", "out/scene_solver.cpp", "out/truthcube.cpp")
+    parts = [f"tools/truthcube/{part}.cpp" for part in ("arrays", "names", "run_bytes", "scene_choice", "sizes", "solver_bytes")]
+    copy.program("scene.cpp", *parts, f"{SOLVER}/solvers/solvers.cpp", "out/scene_solver.cpp")
 
 
 def main():
