@@ -4,7 +4,8 @@
 
 namespace physgen::truthcube {
 
-Terminal::Terminal(bool quiet) : quiet_(quiet), watched_(!quiet && ::isatty(STDOUT_FILENO) == 1) {}
+Terminal::Terminal(bool quiet, bool is_first)
+    : quiet_(quiet || !is_first), is_first_(is_first), watched_(!quiet_ && ::isatty(STDOUT_FILENO) == 1) {}
 
 void Terminal::clear_bar() const {
   if (!watched_) return;
