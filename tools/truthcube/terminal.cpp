@@ -2,10 +2,19 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
+
 namespace physgen::truthcube {
 
+namespace {
+
+/// Whether a person looks on. mpirun gives what it starts a terminal, whoever reads what it prints.
+bool is_watched() { return ::isatty(STDOUT_FILENO) == 1 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr; }
+
+}  // namespace
+
 Terminal::Terminal(bool quiet, bool is_first)
-    : quiet_(quiet || !is_first), is_first_(is_first), watched_(!quiet_ && ::isatty(STDOUT_FILENO) == 1) {}
+    : quiet_(quiet || !is_first), is_first_(is_first), watched_(!quiet_ && is_watched()) {}
 
 void Terminal::clear_bar() const {
   if (!watched_) return;
