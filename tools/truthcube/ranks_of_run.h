@@ -53,7 +53,7 @@ class RanksOfRun {
   const Ranks& ranks_;
   std::unique_ptr<Transport> transport_;
   int on_this_machine_ = 1;
-  fem::SolverOnRanks* solver_ = nullptr;
+  [[maybe_unused]] fem::SolverOnRanks* solver_ = nullptr;  ///< in builds that have it
 };
 
 }  // namespace physgen::truthcube
