@@ -32,7 +32,8 @@
 
 int main(int count, char** words) {
   using namespace physgen::truthcube;
-  return run_program("truthcube", count, words, parse, [](Options options, const std::string& command) {
-    return static_cast<int>(run(std::move(options), command));
-  });
+  return run_program("truthcube", count, words, parse,
+                     [](Options options, const std::string& command, const physgen::Ranks& ranks) {
+                       return static_cast<int>(run(std::move(options), command, ranks));
+                     });
 }

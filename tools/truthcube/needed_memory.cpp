@@ -34,15 +34,18 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
   }
 }
 
-NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes)
-    : who_(options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh"),
+NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ranks)
+    : who_((options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh") +
+           (ranks > 1 ? " on each of " + std::to_string(ranks) + " ranks" : "")),
       remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-              "--volume tets, --precision half or --product matrix-free need less"),
-      bytes_(bytes) {}
+              (ranks > 1 ? "fewer ranks or --volume tets need less"
+                         : "--volume tets, --precision half or --product matrix-free need less")),
+      bytes_(bytes),
+      ranks_(ranks) {}
 
 void NeededMemory::require(const Options& options, const DeviceStart& device) const {
   if (options.solver.device != fem::Device::cuda) {
-    require_memory(who_, bytes_.solver + bytes_.lists, "this machine", host_memory(), remedy_);
+    require_memory(who_, ranks_ * (bytes_.solver + bytes_.lists), "this machine", host_memory(), remedy_);
     return;
   }
   require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);

@@ -19,7 +19,8 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
 /// The memory that a run takes, and its words where there is less.
 class NeededMemory {
  public:
-  NeededMemory(const Options& options, const RunBytes& bytes);
+  /// @param ranks of this machine, each of which takes as much
+  NeededMemory(const Options& options, const RunBytes& bytes, int ranks = 1);
 
   /// @throw Error when the run would not fit, before it is allocated
   void require(const Options& options, const DeviceStart& device) const;
@@ -34,6 +35,7 @@ class NeededMemory {
 
   std::string who_, remedy_;
   RunBytes bytes_;
+  int ranks_;
 };
 
 }  // namespace physgen::truthcube

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <physgen/distributed/ranks.h>
 #include <physgen/threads.h>
 #include <unistd.h>
 
@@ -43,33 +44,46 @@ inline void open_standard_streams() {
   return status == 0 ? 1 : status;
 }
 
-/// @param parse makes options, with `help` and `threads`, of the words behind the program's name
-/// @param run takes the options and the command as it was typed, and gives the exit status
-/// @return the exit status: 2 for a command line that is not understood, 1 where run() throws or output cannot be
-/// written
+/// What run_program() does on one of the ranks, of which the first prints.
 template <class Parse, class Run>
-[[nodiscard]] int run_program(const std::string& name, int count, char** words, const Parse& parse, const Run& run) {
-  open_standard_streams();
-  const std::vector<std::string> arguments(words + 1, words + count);
+[[nodiscard]] int run_on(const Ranks& ranks, const std::string& name, const std::vector<std::string>& arguments,
+                         const Parse& parse, const Run& run) {
   decltype(parse(arguments)) options;
   try {
     options = parse(arguments);
   } catch (const std::exception& error) {
+    if (!ranks.is_first()) return 2;
     std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), text_of(error).c_str(), name.c_str());
     return 2;
   }
   if (!options.help.empty()) {
-    std::printf("%s", options.help.c_str());
+    if (ranks.is_first()) std::printf("%s", options.help.c_str());
     return status_of_output(name, 0);
   }
   set_threads(options.threads);
-  if (const std::string remark = remark_on_threads(); !remark.empty()) {
+  if (const std::string remark = remark_on_threads(); ranks.is_first() && !remark.empty()) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), remark.c_str());
   }
   std::string command = name;
   for (const std::string& word : arguments) command += " " + quoted(word);
   try {
-    return status_of_output(name, run(std::move(options), command));
+    return status_of_output(name, run(std::move(options), command, ranks));
+  } catch (const std::exception& error) {
+    if (ranks.count() == 1) throw;
+    ranks.fail(text_of(error));
+  }
+}
+
+/// @param parse makes options, with `help` and `threads`, of the words behind the program's name
+/// @param run takes the options, the command as it was typed and the ranks, and gives the exit status
+/// @return the exit status: 2 for a command line that is not understood, 1 where run() throws or output cannot be
+/// written; with several ranks, what is thrown on one ends all
+template <class Parse, class Run>
+[[nodiscard]] int run_program(const std::string& name, int count, char** words, const Parse& parse, const Run& run) {
+  open_standard_streams();
+  try {
+    const Ranks ranks(count, words);
+    return run_on(ranks, name, {words + 1, words + count}, parse, run);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), text_of(error).c_str());
     return 1;

@@ -22,6 +22,7 @@
 #include "output/hash.h"
 #include "parse.h"
 #include "program.h"
+#include "ranks_of_run.h"
 #include "run_bytes.h"
 #include "run_files.h"
 #include "scene.h"
@@ -58,8 +59,8 @@ PlateRecord record_of(const Plate& plate) {
   return {static_cast<std::int64_t>(plate.nodes.front().size()), plate.area};
 }
 
-Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages) {
-  const Terminal terminal(options.quiet);
+Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages, RanksOfRun& ranks) {
+  const Terminal terminal(options.quiet, ranks.is_first());
   const auto start = Clock::now();
   const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
   constexpr int parts = 4;
@@ -89,12 +90,13 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (options.dry_run) {
     if (!options.is_cube()) terminal.text(describe(scene.plates));
     print_sizes(counts, bytes, options, terminal);
-    return Outcome::done;
+    if (!ranks.are_several()) return Outcome::done;
+    options.out.clear();  // they make their parts to count them
   }
-  const NeededMemory needed(options, bytes);
+  const NeededMemory needed(options, bytes, ranks.on_this_machine());
   needed.require(options, device);
   std::optional<FolderLock> lock;
-  if (!options.out.empty()) {
+  if (!options.out.empty() && ranks.is_first()) {
     if (options.set_up_only) require_no_run(options.out);
     if (!options.restart) require_writable(options.out);
     if (is_writable(options.out)) lock.emplace(options.out);  // else a run that goes on writes nothing
@@ -129,7 +131,8 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
                     checkpoint->compression, options.out.c_str());
       return Outcome::done;
     }
-    require_writable(options.out);
+    if (ranks.is_first()) require_writable(options.out);
+    ranks.agree("last step in " + options.out.string(), std::to_string(checkpoint->step));
   }
   std::optional<MeasuredBeads> beads;
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
@@ -142,6 +145,8 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
+  } else if (ranks.are_several()) {
+    solver = ranks.make_solver(scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
   } else if (arrays != "everything") {
@@ -152,6 +157,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   record.nodes = finest.mesh.nodes;
   record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
   record.bytes = dynamic != nullptr ? dynamic->bytes() : solver->bytes();
+  ranks.count(record);
   record.device = fem::device_name(options.solver.device);
   record.layout = built_layout();
   record.command = command;
@@ -166,33 +172,37 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
                 record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
   if (options.prints_timings()) print_timings(record.stages, terminal);
   terminal.text(describe(scene.plates));
+  if (ranks.are_several()) ranks.print_parts(terminal);
+  if (options.dry_run) return Outcome::done;
   if (options.set_up_only) {
-    write_set_up(options.out, record);
+    if (ranks.is_first()) write_set_up(options.out, record);
     return Outcome::done;
   }
   if (checkpoint) {
     solver->restore(state_of(*checkpoint, solver->state()));
     terminal.line("continuing after step %d, at a compression of %g", checkpoint->step, checkpoint->compression);
   }
-  RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
+  RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()), ranks.is_first());
   files.write_record(record);
   if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
-  return Steps(scene, *solver, files, record, beads, terminal, tolerance, solve_words(options))
+  return Steps(scene, *solver, files, record, beads, terminal, ranks, tolerance, solve_words(options))
       .run(options.compressions, options.repetitions);
 }
 
 }  // namespace
 
-Outcome run(Options options, const std::string& command) {
+Outcome run(Options options, const std::string& command, const Ranks& ranks) {
   fem::Stages stages;
   const auto in_stage = [&stages] {
     return stages.failed().empty() ? std::string() : " in its stage \"" + stages.failed() + "\"";
   };
   try {
     const fem::Stages::Recording recording(stages);
+    ranks.agree("command", command);
+    RanksOfRun together(ranks, options);
     return options.is_case() ? run_case(std::move(options), command, stages)
-                             : run_recorded(std::move(options), command, stages);
+                             : run_recorded(std::move(options), command, stages, together);
   } catch (const MemoryError& error) {
     throw Error("the memory ended" + in_stage() + ": " + text_of(error));
   } catch (const std::bad_alloc&) {

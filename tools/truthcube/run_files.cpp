@@ -63,14 +63,14 @@ void write_order_of(const std::filesystem::path& folder, const Scene& scene) {
   }
 }
 
-RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
+RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done, bool is_first)
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
       order_(mark_of(options, scene)),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
-  if (folder_.empty()) return;
+  if (folder_.empty() || !is_first) return;
   const auto csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
   if (steps_done == 0) {
@@ -84,7 +84,7 @@ RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mes
 }
 
 void RunFiles::write_record(const RunRecord& record) const {
-  if (writes()) write_run_json(file(record_name), record);
+  if (viewers_) write_run_json(file(record_name), record);
 }
 
 void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
@@ -98,7 +98,7 @@ void RunFiles::write_step(const RunRecord& record, double time, const std::vecto
 }
 
 void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState& state) const {
-  if (!writes()) return;
+  if (!viewers_) return;
   // Last: what it counts is complete.
   truthcube::write_checkpoint(file(checkpoint_name), {settings_,
                                                       mesh_hash_,

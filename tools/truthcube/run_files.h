@@ -35,10 +35,12 @@ class RunFiles {
  public:
   /// Begins the files anew, or continues those of a run after its first `steps_done` steps.
   /// @param scene stays alive as long as this. @param mesh_hash of its finest level
+  /// @param is_first whether this is the rank that writes: the others write nothing
   /// @throw Error when a file cannot be written, or does not continue this run
-  RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done);
+  RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done, bool is_first = true);
 
-  [[nodiscard]] bool writes() const { return viewers_.has_value(); }
+  /// Whether the run writes files, on whatever rank.
+  [[nodiscard]] bool writes() const { return !folder_.empty(); }
   /// The record without steps of this run, for whoever looks before the first.
   void write_record(const RunRecord& record) const;
   /// The last step in the record. @param time as viewers show it @param stresses of the solver, per tet [Pa]

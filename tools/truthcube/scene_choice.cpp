@@ -67,6 +67,9 @@ void choose_declared(Options& options, const Given& given, const fem::SceneRow& 
                 ", because only --scene everything has it; take another preconditioner");
   }
   if (!row.tets) choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
+  if (options.volume == VolumeTreatment::nodes && row.patches) {
+    throw Error(scene_name(options) + " requires --volume patches or tets; remove --volume, or take another scene");
+  }
   if (!row.patches) choose_tets(options, given, std::string(row.bodies) + " bodies take");
   if (!row.assembled && !given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
 }

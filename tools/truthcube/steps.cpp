@@ -116,7 +116,7 @@ Outcome Steps::run(const std::vector<double>& compressions, int repetitions) {
   const fem::SolverState beginning = solver_.state();
   for (const double compression : compressions) {
     if (compression <= solver_.load()) continue;
-    if (interrupted != 0) return stop();
+    if (ranks_.any(interrupted != 0)) return stop();
     terminal_.line("compression %g", compression);
     terminal_.newton_header();
     const auto begin = Clock::now();
@@ -126,7 +126,7 @@ Outcome Steps::run(const std::vector<double>& compressions, int repetitions) {
       result = solver_.solve_to(compression, [&](std::size_t level, const fem::NewtonStep& step) {
         last.see(level, step);
         terminal_.newton_step(level, step);
-        if (interrupted != 0) throw Interrupt{};
+        if (ranks_.any(interrupted != 0)) throw Interrupt{};
       });
     } catch (const Interrupt&) {
       return stop();
@@ -147,7 +147,7 @@ Outcome Steps::repeat(const fem::SolverState& beginning, std::span<StepRecord> s
       const auto begin = Clock::now();
       (void)solver_.solve_to(step.compression, {});
       step.warm_seconds = std::min(step.warm_seconds, seconds_since(begin));
-      if (interrupted != 0) return stop();
+      if (ranks_.any(interrupted != 0)) return stop();
     }
   }
   for (const StepRecord& step : steps) {
@@ -200,6 +200,7 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   warn(compression, result, positions);
   compare(compression, positions);
   if (!files_.writes()) return;
+  ranks_.count(record_);
   files_.write_step(record_, compression, positions, solver_.stresses());
   files_.write_checkpoint(record_, solver_.state());
 }
@@ -228,14 +229,14 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
     terminal_.line("compression %g, on the way", reached);
     finish(reached, *found, seconds, last.newton());
   }
-  std::fprintf(stderr,
-               "truthcube: no equilibrium at a compression of %g: %s, after %d %s, with a residual of %.2e; the last "
-               "equilibrium is at %g.\n",
-               compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
+  terminal_.error(
+      "truthcube: no equilibrium at a compression of %g: %s, after %d %s, with a residual of %.2e; the last "
+      "equilibrium is at %g.",
+      compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
-  std::fprintf(stderr, "There, %s.\n",
-               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_).c_str());
-  std::fprintf(stderr, "Try %s.\n", words_.remedies.c_str());
+  const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses());
+  terminal_.error("There, %s.", describe(suspect, scene_).c_str());
+  terminal_.error("Try %s.", words_.remedies.c_str());
   return Outcome::not_converged;
 }
 

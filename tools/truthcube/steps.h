@@ -14,6 +14,7 @@
 #include "outcome.h"
 #include "output/bead_table.h"
 #include "output/run_json.h"
+#include "ranks_of_run.h"
 #include "run_files.h"
 #include "scene.h"
 #include "terminal.h"
@@ -45,13 +46,15 @@ class Steps {
   /// All stay alive as long as this. @param record gets an entry for each step
   /// @param tolerance of the residual; 0: of another measure
   Steps(const Scene& scene, fem::EquilibriumSolver& solver, RunFiles& files, RunRecord& record,
-        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance, SolveWords words)
+        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, const RanksOfRun& ranks, double tolerance,
+        SolveWords words)
       : scene_(scene),
         solver_(solver),
         files_(files),
         record_(record),
         beads_(beads),
         terminal_(terminal),
+        ranks_(ranks),
         tolerance_(tolerance),
         words_(std::move(words)) {}
 
@@ -78,6 +81,7 @@ class Steps {
   RunRecord& record_;
   const std::optional<MeasuredBeads>& beads_;
   const Terminal& terminal_;
+  const RanksOfRun& ranks_;
   double tolerance_;
   SolveWords words_;
 };

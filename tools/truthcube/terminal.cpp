@@ -2,9 +2,19 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
+
 namespace physgen::truthcube {
 
-Terminal::Terminal(bool quiet) : quiet_(quiet), watched_(!quiet && ::isatty(STDOUT_FILENO) == 1) {}
+namespace {
+
+/// Whether a person looks on. mpirun gives what it starts a terminal, whoever reads what it prints.
+bool is_watched() { return ::isatty(STDOUT_FILENO) == 1 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr; }
+
+}  // namespace
+
+Terminal::Terminal(bool quiet, bool is_first)
+    : quiet_(quiet || !is_first), is_first_(is_first), watched_(!quiet_ && is_watched()) {}
 
 void Terminal::clear_bar() const {
   if (!watched_) return;

@@ -11,7 +11,8 @@ namespace physgen::truthcube {
 
 class Terminal {
  public:
-  explicit Terminal(bool quiet);
+  /// @param is_first whether this is the rank that prints
+  explicit Terminal(bool quiet, bool is_first = true);
   ~Terminal() { clear_bar(); }  // errors are printed behind it
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -30,8 +31,13 @@ class Terminal {
   /// A line on standard error for a result that a user should not take as it is, also of a quiet run.
   template <class... Arguments>
   void warning(const char* format, const Arguments&... arguments) const {
+    error((std::string("truthcube: warning: ") + format).c_str(), arguments...);
+  }
+  /// A line on standard error, also of a quiet run.
+  template <class... Arguments>
+  void error(const char* format, const Arguments&... arguments) const {
+    if (!is_first_) return;
     clear_bar();
-    std::fputs("truthcube: warning: ", stderr);
     std::fprintf(stderr, format, arguments...);
     std::fputs("\n", stderr);
   }
@@ -46,7 +52,7 @@ class Terminal {
  private:
   void clear_bar() const;
 
-  bool quiet_, watched_;
+  bool quiet_, is_first_, watched_;
 };
 
 }  // namespace physgen::truthcube

@@ -1,8 +1,11 @@
-// Whether a launcher of some MPI started this process as one of several.
+// Whether a launcher of some MPI started this process, and as one of several.
 #pragma once
+
+#include <unistd.h>
 
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace physgen::detail {
@@ -15,6 +18,18 @@ namespace physgen::detail {
     if (value != nullptr && std::atoi(value) > 1) return name + std::string("=") + value;
   }
   return {};
+}
+
+/// Whether the environment has a name that launchers and batch systems give to what they start. A process without one
+/// was started by itself. (Those above, PMIx and PMI of any launcher, Slurm, Flux, PALS and ALPS of Cray, jsrun.)
+[[nodiscard]] inline bool may_be_launched() {
+  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+    for (const char* name : {"OMPI_COMM_WORLD_", "OMPI_UNIVERSE_", "PMIX_", "PMI_", "MPI_LOCAL", "MV2_COMM_",
+                             "SLURM_PROCID", "SLURM_STEP", "FLUX_TASK", "PALS_", "ALPS_APP", "JSM_NAMESPACE"}) {
+      if (std::string_view(*entry).starts_with(name)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace physgen::detail

@@ -76,6 +76,7 @@ Ranks::Ranks(int& argc, char**& argv, const std::string& build) {
   int is_begun = 0;
   MPI_Initialized(&is_begun);
   if (is_begun == 0) {
+    if (!detail::may_be_launched()) return;
     int level = 0;
     MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
     ends_mpi_ = true;

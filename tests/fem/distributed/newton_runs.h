@@ -3,7 +3,9 @@
 // digests of arrays, and what has crossed between ranks.
 #pragma once
 
+#include <fem/materials/stable_neo_hookean.h>
 #include <fem/solver/levels/level_halos.h>
+#include <fem/solver/solvers/part_of_equilibrium.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,8 +14,8 @@
 #include <functional>
 #include <string>
 
+#include "../solver/scene_groups.h"
 #include "digest.h"
-#include "part_of_equilibrium.h"
 
 namespace physgen::fem {
 
@@ -120,7 +122,7 @@ void run_on_ranks(const Ranks& ranks, HaloUses scene, const Groups& whole, Progr
   std::vector<HaloUse> rows = with_halos_of_levels(scene);
   program.change(rows);
   PartOfEquilibrium groups(ranks, rows, whole, program.cut(whole.graphs, ranks.count()),
-                           [&](DistributedArrays& arrays) { program.add_to(arrays); });
+                           [&](auto& part) { program.add_to(part.arrays); });
   program.fill(groups.arrays);
   DistributedExecutor<HostExecutor> on(ranks, groups.arrays, {.poisons_stale_ghosts = true});
   Traffic before = on.traffic();

@@ -220,4 +220,26 @@ def multigrid_in_newton_has_the_bits_of_one_process():
     assert status != 0 and "InterpolateMotion reads body[1].node_tet_ranges" in errors and "follows no set" in errors, output + errors
 
 
+def the_solver_of_several_ranks_has_the_bits_of_one_process():
+    """All that the solver of the scene quasistatic hands out is that of one process, on every rank: nested or not, by tets and patches, under
+    each preconditioner, also of a solver that goes on from the state of another."""
+    for cells, counts, *options in (
+            ("20", (1, 3), "--patches", "1", "--percent", "49"),
+            ("20", (2, 4)),
+            ("16", (2,), "--patches", "1", "--percent", "49", "--restored", "1"),
+            ("16", (3,), "--restored", "1"),
+            ("16", (2,), "--patches", "1", "--nested", "0"),
+            ("12", (2,), "--preconditioner", "block-jacobi", "--patches", "1"),
+            ("12", (2,), "--preconditioner", "none"),
+            ("8", (4,), "--patches", "1")):  # ranks without nodes
+        options = "--cells", cells, *options
+        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--ordinary", "1")
+        assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
+        assert (" coarser " in wanted) == ("level 1" in wanted), wanted
+        print(options, wanted)
+        for count in counts:
+            status, found, errors, _ = ranks(count, "solver_on_ranks", *options)
+            assert status == 0 and found == wanted, f"{count} ranks: {found}{errors}"
+
+
 sys.exit(run_case(globals()))

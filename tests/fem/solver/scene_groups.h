@@ -15,8 +15,9 @@ namespace physgen::fem {
 /// @tparam Patches over which volumes are averaged, or NoArrays
 /// @tparam Choices of the scene's program: AssembledOnMeshes or ByTets
 template <class BodyGroup, class Patches, class Chunk, class LevelGroup, class Krylov,
-          class Choices = AssembledOnMeshes>
+          class Choices_ = AssembledOnMeshes>
 struct SceneGroups {
+  using Choices = Choices_;
   BodyGroup body;
   Patches patches;
   Chunk chunk;

@@ -27,6 +27,10 @@ case $rule in
     expect named/run.json '"arrays": "quasistatic"'
     same_numbers 'energy reaction residual' flags/run.json named/run.json
     cmp flags/beads.csv named/beads.csv || fail "pruned arrays have other results"
+    expect_exit 0 "${stable[@]}" --volume tets --poisson 0.45 --out flags
+    expect_exit 0 "${small[@]}" --compress 0.05 --scene quasistatic --volume tets --poisson 0.45 --out named
+    same_numbers 'energy reaction residual' flags/run.json named/run.json
+    cmp flags/beads.csv named/beads.csv || fail "pruned arrays have other results by tets"
     expect_exit 0 "${stable[@]}" --product matrix-free --preconditioner block-jacobi --out flags
     expect_exit 0 "${small[@]}" --compress 0.05 --scene matrix-free --out scene
     expect scene/run.json '"product": "matrix-free"'

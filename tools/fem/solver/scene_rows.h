@@ -6,7 +6,7 @@
 /// time (run_time_choices.h); and whose volumes it takes: by_patches, by_tets or by_either. CMake reads these lines,
 /// too (physgen_read_rows).
 #define PHYSGEN_EQUILIBRIUM_SCENES(ROW, ...)                                                     \
-  ROW(quasistatic, "quasistatic", StableNeoHookean, AssembledOnMeshes, by_patches, __VA_ARGS__)  \
+  ROW(quasistatic, "quasistatic", StableNeoHookean, AssembledOnMeshes, by_either, __VA_ARGS__)   \
   ROW(quasistatic_matrix_free, "matrix-free", StableNeoHookean, ByTets, by_patches, __VA_ARGS__) \
   ROW(quasistatic_fixed_corotated, "fixed-corotated", FixedCorotated, AssembledOnMeshes, by_tets, __VA_ARGS__)
 

@@ -65,6 +65,16 @@ void visit_plates(Record& run, const Visit& visit) {
 }
 
 template <class Record, class Visit>
+void visit_ranks(Record& ranks, const Visit& visit) {
+  visit("count", ranks.count);
+  visit("exchanges", ranks.exchanges);
+  visit("gathers", ranks.gathers);
+  visit("messages", ranks.messages);
+  visit("bytes", ranks.bytes);
+  visit("gathered_bytes", ranks.gathered_bytes);
+}
+
+template <class Record, class Visit>
 void visit_stage(Record& stage, const Visit& visit) {
   visit("name", stage.name);
   visit("seconds", stage.seconds);
@@ -109,6 +119,9 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
   visit_plates(record, [&](const char* key, const PlateRecord& plate) {
     if (record.has_plates) run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
   });
+  if (record.ranks) {
+    visit_ranks(*record.ranks, [&](const char* key, const auto& value) { run["ranks"][key] = value; });
+  }
   run["setup_stages"] = OrderedJson::array();
   for (const StageRecord& stage : record.stages) {
     OrderedJson& entry = run["setup_stages"].emplace_back();
@@ -152,6 +165,9 @@ RunRecord read_run_json(const std::filesystem::path& file) {
         take(held.at(key), "nodes", plate.nodes);
         take(held.at(key), "area", plate.area);
       });
+    }
+    if (run.contains("ranks")) {
+      visit_ranks(record.ranks.emplace(), [&](const char* key, auto& value) { take(run["ranks"], key, value); });
     }
     for (const OrderedJson& entry : run.value("setup_stages", OrderedJson::array())) {
       visit_stage(record.stages.emplace_back(), [&entry](const char* key, auto& value) { take(entry, key, value); });

@@ -57,6 +57,14 @@ struct StageRecord {
   bool operator==(const StageRecord&) const = default;
 };
 
+/// What has crossed between ranks up to the last step of this run.
+struct RanksRecord {
+  int count = 0;
+  std::int64_t exchanges = 0, gathers = 0;                   ///< in which each rank took part
+  std::int64_t messages = 0, bytes = 0, gathered_bytes = 0;  ///< of all ranks
+  bool operator==(const RanksRecord&) const = default;
+};
+
 struct RunRecord {
   std::int64_t nodes = 0, tets = 0;
   std::int64_t bytes = 0;       ///< of all arrays of the solver
@@ -68,6 +76,7 @@ struct RunRecord {
   std::vector<StageRecord> stages;       ///< of the set-up; in files of older versions there are none
   bool has_plates = true;                ///< not of a case; they are not written then
   PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
+  std::optional<RanksRecord> ranks;      ///< of several
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;
 };

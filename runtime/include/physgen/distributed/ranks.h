@@ -15,7 +15,8 @@
 
 namespace physgen {
 
-/// Made once, first thing in main(): it begins MPI, and ends it when it goes out of scope.
+/// Made once, first thing in main(): it begins MPI, and ends it when it goes out of scope. Where no launcher started
+/// the program, and MPI has not begun, it does without MPI.
 ///
 /// When one rank cannot go on, all end: where an exception leaves the scope of Ranks, in fail(), and where a kernel
 /// throws. With one rank an exception is an ordinary one.

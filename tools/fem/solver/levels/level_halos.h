@@ -73,6 +73,10 @@ inline constexpr HaloUse halos_of_levels[] = {
     {"physgen::fem::InterpolateMotion", 8, "fixed", reads_own},
     {"physgen::fem::InterpolateMotion", 9, "x", changes_own},
 
+    {"physgen::fem::InjectPatchPressures", 0, "patch", reads_own},
+    {"physgen::fem::InjectPatchPressures", 1, "linearised", reads_others, "patches.parents.patch"},
+    {"physgen::fem::InjectPatchPressures", 2, "linearised", writes_own},
+
     // Of blocks that are stored in half.
     {"physgen::fem::KeepTranslations", 0, "begin", reads_own},
     {"physgen::fem::KeepTranslations", 0, "end", reads_own},

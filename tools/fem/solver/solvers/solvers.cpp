@@ -210,22 +210,34 @@ std::span<const SceneRow> equilibrium_scenes() {
   return rows;
 }
 
+namespace {
+
+/// @throw Error when there is no such scene, which names all
+const SceneRow& row_of_scene(const std::string& scene) {
+  const auto rows = equilibrium_scenes();
+  const auto row = std::ranges::find_if(rows, [&](const SceneRow& known) { return scene == known.name; });
+  if (row != rows.end()) return *row;
+  std::string names;
+  for (const SceneRow& known : rows) names += (names.empty() ? "" : ", ") + std::string(known.name);
+  throw Error("no solver is built for a scene '" + scene + "'; there are " + names);
+}
+
+}  // namespace
+
+void require_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
+                          const SolverSettings& settings) {
+  require_declared(row_of_scene(scene), levels, loading, settings);
+  require_nonlinear(levels, loading, settings);
+}
+
 std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
                                                      const Loading& loading, const SolverSettings& settings) {
   if (!levels.empty() && levels.front().axes) {
     const Turn turn(*levels.front().axes);
     return turn.back(make_scene_solver(scene, turn.along(levels), turn.along(loading), settings));
   }
-  const auto rows = equilibrium_scenes();
-  const auto row = std::ranges::find_if(rows, [&](const SceneRow& known) { return scene == known.name; });
-  if (row == rows.end()) {
-    std::string names;
-    for (const SceneRow& known : rows) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    throw Error("no solver is built for a scene '" + scene + "'; there are " + names);
-  }
-  require_declared(*row, levels, loading, settings);
-  require_nonlinear(levels, loading, settings);
-  const SceneSolver& solver = scene_solvers[row - rows.begin()];
+  require_scene_solver(scene, levels, loading, settings);
+  const SceneSolver& solver = scene_solvers[&row_of_scene(scene) - equilibrium_scenes().data()];
   if (settings.device == Device::cpu) return solver.on_cpu(levels, loading, settings);
   if (solver.on_cuda == nullptr) refuse_cuda();
   return solver.on_cuda(levels, loading, settings);

@@ -3,14 +3,13 @@
 #pragma once
 
 #include <fem/solver/levels/distributed_levels.h>
+#include <fem/solver/solvers/solver_program.h>
 #include <physgen/distributed/executor.h>
 
 #include <array>
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "../solver/scene_groups.h"
 
 namespace physgen::fem {
 
@@ -75,6 +74,34 @@ void add_edge_tets(DistributedArrays& arrays, const std::string& number, const s
   arrays.connect_rows(body.edge_tet_ranges.contents(), of_body + "edge_tet_entries", body.edge_tet_entries.contents(),
                       "code", kept_tet, rows_of(whole.edge_tet_ranges, whole.edge_tet_entries), EdgeTetEntry::bits);
 }
+/// What patches have over which volumes are averaged, without the lists by which tangents are summed.
+template <class Body, class Patches>
+void add_patches(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, const std::string& patch,
+                 Body& body, Patches& patches, const Patches& whole) {
+  const std::string of_patches = "patches" + number + ".";
+  arrays.add("body" + number + ".volumes", patch, body.volumes);
+  arrays.add(of_patches + "tet_patches", sets.tet, patches.tet_patches.contents());
+  arrays.add(of_patches + "nodes", patch, patches.nodes.contents());
+  arrays.add(of_patches + "patch_tet_ranges", patch, patches.patch_tet_ranges.contents());
+  arrays.add(of_patches + "tangent", patch, patches.tangent);
+  arrays.connect(patches.tet_patches.contents(), "patch", patch, [view = whole.tet_patches.const_view()](index_t tet) {
+    return std::array<Index, 1>{view[tet].patch()};
+  });
+  arrays.connect(patches.nodes.contents(), "nodes", sets.node, nodes_of<8>(whole.nodes));
+  arrays.connect_rows(patches.patch_tet_ranges.contents(), of_patches + "patch_tet_entries",
+                      patches.patch_tet_entries.contents(), "tet", sets.tet,
+                      rows_of(whole.patch_tet_ranges, whole.patch_tet_entries));
+}
+/// The patches of edges, where the stiffness is assembled.
+template <class Patches>
+void add_edge_patches(DistributedArrays& arrays, const std::string& number, const std::string& edge,
+                      const std::string& patch, Patches& patches, const Patches& whole) {
+  const std::string of_patches = "patches" + number + ".";
+  arrays.add(of_patches + "edge_patch_ranges", edge, patches.edge_patch_ranges.contents());
+  arrays.connect_rows(patches.edge_patch_ranges.contents(), of_patches + "edge_patch_entries",
+                      patches.edge_patch_entries.contents(), "code", patch,
+                      rows_of(whole.edge_patch_ranges, whole.edge_patch_entries), EdgePatchEntry::bits);
+}
 /// As the solver fills its own. Behind cut().
 template <class Body, class Krylov>
 void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Body& whole) {
@@ -86,24 +113,30 @@ void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Body
   krylov.state.resize(1);
 }
 
-/// The groups of arrays of SceneGroups.
-template <class Body, class Patches, class Chunk, class Level, class Krylov, class Choices>
+/// The parts of groups of arrays.
+/// @tparam Whole of the whole mesh: body, patches or NoArrays, chunk, levels, krylov, the graphs of the levels, facts,
+/// and Choices
+template <class Whole>
 struct PartOfEquilibrium {
-  using Whole = SceneGroups<Body, Patches, Chunk, Level, Krylov, Choices>;
+  using Body = decltype(Whole::body);
+  using Patches = decltype(Whole::patches);
+  using Level = typename decltype(Whole::levels)::value_type;
+  using Choices = typename Whole::Choices;
   DistributedArrays arrays;
   Body body;
   Patches patches;
-  Chunk chunk;
+  decltype(Whole::chunk) chunk;
   std::vector<Level> levels;
-  Krylov krylov;
+  decltype(Whole::krylov) krylov;
   MeshFacts facts;
 
-  /// @param whole of the same mesh on each rank
+  /// @param whole of the same mesh on each rank. Where its volumes are not averaged, patches have no objects
   /// @param cut the finest so many levels are cut
-  /// @param add_more add_more(arrays) adds further arrays
+  /// @param add_more add_more(*this) adds further arrays
   template <class AddMore>
   PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, std::size_t cut, const AddMore& add_more)
       : arrays(ranks, uses), levels(whole.levels.size()) {
+    const MeshSets sets{"node", "tet", "chunk_tet", "kept_tet"};
     add_sets(whole);
     if constexpr (Choices::assembled) {
       add_levels(arrays, each_level(), whole.graphs, cut);
@@ -111,10 +144,12 @@ struct PartOfEquilibrium {
     } else {
       add_level();
     }
-    add_mesh(arrays, "", {"node", "tet", "chunk_tet", "kept_tet"}, body, chunk, krylov, whole.body);
+    add_mesh(arrays, "", sets, body, chunk, krylov, whole.body);
     if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body);
-    if constexpr (!std::is_same_v<Patches, NoArrays>) add_patches(whole);
-    add_more(arrays);
+    if constexpr (!std::is_same_v<Patches, NoArrays>) {
+      if (whole.body.volumes.size() > 0) add_mesh_patches(whole);
+    }
+    add_more(*this);
     arrays.cut();
     fill(whole);
     note_facts(whole);
@@ -143,25 +178,12 @@ struct PartOfEquilibrium {
     arrays.add("level.residual", "node", level.residual);
     arrays.add("level.correction", "node", level.correction);
   }
-  void add_patches(const Whole& whole) {
-    const auto& all = whole.patches;
-    for (const char* set : {"patch", "volume"}) arrays.add_set(set, whole.body.volumes.size());
-    arrays.same_set("volume", "patch");
+  void add_mesh_patches(const Whole& whole) {
+    arrays.add_set("patch", whole.body.volumes.size());
     arrays.follow("patch", "node");
-    arrays.add("body.volumes", "volume", body.volumes);
-    arrays.add("patches.tet_patches", "tet", patches.tet_patches.contents());
-    arrays.add("patches.nodes", "patch", patches.nodes.contents());
-    arrays.add("patches.patch_tet_ranges", "patch", patches.patch_tet_ranges.contents());
-    arrays.add("patches.tangent", "patch", patches.tangent);
-    arrays.connect(
-        patches.tet_patches.contents(), "patch", "volume",
-        [view = all.tet_patches.const_view()](index_t tet) { return std::array<Index, 1>{view[tet].patch()}; });
-    arrays.connect(patches.nodes.contents(), "nodes", "node", nodes_of<8>(all.nodes));
-    arrays.connect_rows(patches.patch_tet_ranges.contents(), "patches.patch_tet_entries",
-                        patches.patch_tet_entries.contents(), "tet", "tet",
-                        rows_of(all.patch_tet_ranges, all.patch_tet_entries));
+    add_patches(arrays, "", {"node", "tet", "chunk_tet", "kept_tet"}, "patch", body, patches, whole.patches);
     if constexpr (Choices::assembled) {
-      add_edge_patches(all);
+      add_edge_patches(arrays, "", "level[0].edge", "patch", patches, whole.patches);
     } else {
       add_node_patches(whole);
     }
@@ -169,19 +191,11 @@ struct PartOfEquilibrium {
   /// Where nodes gather from patches.
   void add_node_patches(const Whole& whole) {
     const auto& all = whole.patches;
-    arrays.add_set("change", whole.body.volumes.size());
-    arrays.same_set("change", "patch");
-    arrays.add("patches.changes", "change", patches.changes);
+    arrays.add("patches.changes", "patch", patches.changes);
     arrays.add("patches.node_patch_ranges", "node", patches.node_patch_ranges.contents());
     arrays.connect_rows(patches.node_patch_ranges.contents(), "patches.node_patch_entries",
                         patches.node_patch_entries.contents(), "code", "patch",
                         rows_of(all.node_patch_ranges, all.node_patch_entries), NodePatchEntry::bits);
-  }
-  void add_edge_patches(const Patches& all) {
-    arrays.add("patches.edge_patch_ranges", "level[0].edge", patches.edge_patch_ranges.contents());
-    arrays.connect_rows(patches.edge_patch_ranges.contents(), "patches.edge_patch_entries",
-                        patches.edge_patch_entries.contents(), "code", "patch",
-                        rows_of(all.edge_patch_ranges, all.edge_patch_entries), EdgePatchEntry::bits);
   }
   void fill(const Whole& whole) {
     fill_mesh(arrays, body, krylov, whole.body);

@@ -1,0 +1,88 @@
+// solver_on_ranks: equilibria of the scene quasistatic by the solver of several ranks, for a cube that is pressed
+// between plates in two loads, with poisoned ghosts; all that it hands out.
+//
+//   --cells N         along each side (default 12); levels halve them as long as their number is even
+//   --percent N       Poisson's ratio (default 45)
+//   --preconditioner  multigrid, block-jacobi or none
+//   --nested 0        on one mesh
+//   --restored 1      a second solver goes on behind the first load
+//   --ordinary 1      by the ordinary solver of the scene, in one process
+#include <fem/solver/solvers/scene_solvers.h>
+#include <fem/solver/solvers/solver_on_ranks.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "newton_runs.h"
+
+namespace {
+
+using namespace physgen;
+using namespace physgen::fem;
+
+std::string word(int argc, char** argv, const std::string& option, const std::string& otherwise) {
+  for (int a = 1; a + 1 < argc; a += 2) {
+    if (argv[a] == option) return argv[a + 1];
+  }
+  return otherwise;
+}
+
+template <std::size_t kCount>
+std::string digest(const std::vector<std::array<double, kCount>>& objects) {
+  Digest digest;
+  for (const auto& object : objects) {
+    for (const double number : object) digest.add(number);
+  }
+  return std::to_string(objects.size()) + " " + digest.text();
+}
+
+/// Every rank has all values; each rank's stand in its own lines.
+void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
+  const auto positions = solver.positions(), forces = solver.forces();
+  const auto stresses = solver.stresses();
+  std::string text = "load " + std::to_string(solver.load()) + " positions " + digest(positions) + " forces " +
+                     digest(forces) + " stresses " + digest(stresses);
+  const auto coarser = solver.coarser_equilibrium();
+  if (coarser) text += " coarser " + digest(coarser->positions) + " forces " + digest(coarser->forces);
+  ranks.agree("state", text);
+  if (ranks.is_first()) std::printf("%s\n", text.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  SolverSettings settings = settings_of_the_cube();
+  settings.poissons_ratio = 0.01 * asked(argc, argv, "--percent", 45);
+  settings.nested = asked(argc, argv, "--nested", 1) != 0;
+  const std::string preconditioner = word(argc, argv, "--preconditioner", "multigrid");
+  for (const PreconditionerRow& row : preconditioner_rows) {
+    if (preconditioner == row.name) settings.newton.preconditioner.kind = row.kind;
+  }
+  const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
+  return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
+    const Body body = pressed_cube(cells, patches, 16);
+    const auto make = [&]() -> std::unique_ptr<EquilibriumSolver> {
+      if (ordinary) return make_scene_solver("quasistatic", body.levels, body.loading, settings);
+      return make_solver_on_ranks(ranks, body.levels, body.loading, settings, {.poisons_stale_ghosts = true});
+    };
+    auto solver = make();
+    for (const double load : {0.4, 1.0}) {
+      const NewtonResult result = solver->solve_to(load, [&](std::size_t level, const NewtonStep& step) {
+        if (!ranks.is_first()) return;
+        std::printf("level %zu\n", level);
+        print(step);
+      });
+      if (ranks.is_first()) {
+        std::printf("status %d residual %a energy %a reaction %a\n", static_cast<int>(result.status), result.residual,
+                    result.energy, result.reaction);
+      }
+      print_state(ranks, *solver);
+      if (!is_restored || load == 1) continue;
+      const SolverState state = solver->state();
+      solver = make();
+      solver->restore(state);
+    }
+  });
+}

@@ -1,0 +1,237 @@
+"""truthcube on several ranks: ranks_test.py MPIRUN|none TRUTHCUBE CASE."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "runtime" / "distributed"))
+from ranks import ENVIRONMENT, run, run_case  # noqa: E402
+
+MPIRUN, TRUTHCUBE = sys.argv[1:3]
+FOLDER = pathlib.Path(tempfile.mkdtemp(prefix="ranks_"))
+SCENE = ("--scene", "quasistatic", "--tolerance", "1e-4")
+FILES = ("beads.csv", "cube.vtkhdf", "checkpoint.h5")
+
+
+def command(ranks, *words):
+    return [MPIRUN, "--oversubscribe", "-n", str(ranks), TRUTHCUBE, *SCENE, *words]
+
+
+def done(status, *words):
+    """The output of a command, which ends with this status."""
+    found, output, errors, _ = run(*words)
+    assert found == status, f"status {found} of {words}: {output}{errors}"
+    return output
+
+
+def without_times(output):
+    """Lines of a run, but those that ranks have besides and what says times and bytes."""
+    lines = [line for line in output.splitlines() if not re.match(r" +(rank|\d+) .* machine$| +\d+ +\d+ +\d+ +\d+ +\d+ +\d+ +\d+  ", line)]
+    return [re.sub(r"\d+\.\d+ (s|MB)\b|\d+ bytes per node", "", line) for line in lines]
+
+
+def record(folder):
+    """run.json without times, and what of it tells of ranks."""
+    run_json = json.loads((folder / "run.json").read_text())
+    for step in run_json["steps"]:
+        for line in (step, *step["newton"]):
+            line.pop("seconds"), line.pop("warm_seconds", None)
+    ranks = run_json.pop("ranks", None)
+    return {key: run_json[key] for key in ("nodes", "tets", "settings", "held", "steps")}, ranks
+
+
+def expect_same(wanted, found):
+    for name in FILES:
+        assert (found / name).read_bytes() == (wanted / name).read_bytes(), f"{name} of {found}"
+    assert record(found)[0] == record(wanted)[0], f"{found}/run.json"
+
+
+def several_ranks_write_the_files_of_one_process():
+    """Files are equal byte for byte, and what is printed but for times, with one rank too; run.json says what has crossed."""
+    for volume, poisson, cells, counts in (("patches", "0.49", "16", (1, 4)), ("tets", "0.45", "24", (3,))):
+        words = ("--cells", cells, "--volume", volume, "--poisson", poisson, "--compress", "0.05", "0.1", "--out")
+        wanted = FOLDER / volume
+        printed = without_times(done(0, TRUTHCUBE, *SCENE, *words, str(wanted)))
+        assert len(record(wanted)[0]["steps"]) == 2 and any(line["coarser_by"] for line in record(wanted)[0]["steps"][0]["newton"])
+        assert "estimated from half as many cells" in "\n".join(printed)
+        for count in counts:
+            found = FOLDER / f"{volume}_{count}"
+            assert without_times(done(0, *command(count, *words, str(found)))) == printed, f"{count} ranks"
+            expect_same(wanted, found)
+            ranks = record(found)[1]
+            print(volume, count, ranks)
+            if count == 1:
+                assert ranks is None, ranks
+                continue
+            iterations = sum(line["pcg_iterations"] for step in record(found)[0]["steps"] for line in step["newton"] if line["coarser_by"] == 0)
+            assert ranks["count"] == count and ranks["exchanges"] > 6 * iterations and ranks["gathers"] > 3 * iterations, (iterations, ranks)
+            assert min(ranks["messages"], ranks["bytes"], ranks["gathered_bytes"]) > 0, ranks
+
+
+def a_restart_on_any_number_of_ranks_has_the_same_bits():
+    """A run that was begun on four ranks is continued on one and on three, as if it had not ended."""
+    words = ("--cells", "16")
+    wanted = FOLDER / "wanted"
+    done(0, TRUTHCUBE, *SCENE, *words, "--compress", "0.05", "0.1", "--out", str(wanted))
+    begun = FOLDER / "begun"
+    done(0, *command(4, *words, "--compress", "0.05", "--out", str(begun)))
+    assert len(record(begun)[0]["steps"]) == 1
+    for count in (1, 3):
+        found = FOLDER / f"on_{count}"
+        shutil.copytree(begun, found)
+        words_again = (*words, "--compress", "0.05", "0.1", "--out", str(found), "--restart")
+        output = done(0, *(command(count, *words_again) if count > 1 else (TRUTHCUBE, *SCENE, *words_again)))
+        assert output.count("continuing after step 1") == 1, output
+        expect_same(wanted, found)
+        assert "nothing is left to do" in done(0, *command(2, *words_again))
+
+
+def what_several_ranks_do_not_have_is_refused():
+    """One sentence with a remedy, once, before anything is made or written."""
+    out = FOLDER / "refused"
+    for status, words, said in (
+            (1, ("--scene", "everything"), "several ranks do not have --scene everything; write --scene quasistatic"),
+            (1, ("--scene", "matrix-free"), "several ranks do not have --scene matrix-free; write --scene quasistatic"),
+            (1, ("--scene", "linear-elastic"), "do not have --scene linear-elastic"),
+            (1, ("--scene", "implicit-dynamics"), "do not have --scene implicit-dynamics"),
+            (1, ("--scene", "explicit-dynamics"), "do not have --scene explicit-dynamics"),
+            (1, ("--scene", "quasistatic", "--mesh", "none.msh"), "do not have meshes of your own .--mesh.; take the cube"),
+            (None, ("--scene", "quasistatic", "--device", "cuda"), "do not have --device cuda; write --device cpu|no device cuda. This build has cpu"),
+            (2, ("--scene", "quasistatic", "--plates", "contact"), "requires --plates held"),
+            (2, ("--scene", "quasistatic", "--preconditioner", "schwarz"), "cannot take --preconditioner schwarz"),
+            (2, ("--scene", "quasistatic", "--cels", "3"), "--cels")):
+        found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, *words, "--out", str(out))
+        assert found == (status or found) != 0 and not output and not out.exists(), (words, found, output, errors)
+        assert len(re.findall(said, errors)) == 1, (words, errors)
+    case = pathlib.Path(__file__).parents[3] / "tools" / "examples" / "softbody" / "case.json"
+    found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, "--case", str(case))
+    assert found == 1 and not output and len(re.findall("do not have cases .--case.; press the cube", errors)) == 1, errors
+
+
+def ranks_with_other_options_are_refused():
+    """Options are those of all ranks; both are said."""
+    words = (TRUTHCUBE, *SCENE, "--compress", "0.05", "--cells")
+    found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", *words, "8", ":", "-n", "1", *words, "10")
+    assert found == 1 and not output, (found, output, errors)
+    said = re.findall(r"rank 0 of 2 on \S+: rank 1 on \S+ has another command: \"([^\"]*)\", and rank 0 has \"([^\"]*)\"; start", errors)
+    assert len(said) == 1 and said[0][0].endswith("--cells 10") and said[0][1].endswith("--cells 8"), errors
+
+
+def a_dry_run_says_what_each_rank_has():
+    """Parts add up to the mesh, and bytes are those that a run takes; nothing is written."""
+    out = FOLDER / "dry"
+    output = done(0, *command(3, "--cells", "24", "--compress", "0.05", "--dry-run", "--out", str(out)))
+    assert not out.exists() and "compression" not in output, output
+    parts = [list(map(int, line.split()[:6])) for line in output.splitlines() if re.match(r" +\d+ +\d+ +\d+ +\d+ +\d+ +\d+ +\d+  ", line)]
+    print(output)
+    assert [part[0] for part in parts] == [0, 1, 2], output
+    nodes, ghosts, tets = (sum(part[k] for part in parts) for k in (1, 2, 3))
+    assert (nodes, tets) == (25 ** 3, 6 * 24 ** 3), (nodes, tets)
+    assert 4 * 25 ** 2 <= ghosts <= 10 * 25 ** 2 and min(part[4] for part in parts) > 0, parts  # about two planes at each side of a cut
+    done(0, *command(3, "--cells", "24", "--compress", "0.05", "--out", str(out)))
+    assert json.loads((out / "run.json").read_text())["bytes"] == sum(part[5] for part in parts), parts
+
+
+def a_program_that_no_launcher_started_does_not_begin_mpi():
+    """Started by itself it is one process, which never calls MPI_Init, and prints nothing of ranks."""
+    guard = FOLDER / "guard.so"
+    (FOLDER / "guard.c").write_text("#include <stdlib.h>\nint MPI_Init_thread(int *a, char ***b, int c, int *d) { abort(); }\n")
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", str(guard), str(FOLDER / "guard.c")], check=True)
+    environment = {key: word for key, word in ENVIRONMENT.items() if not key.startswith(("OMPI_", "PMIX_", "SLURM_"))}
+    words = (TRUTHCUBE, *SCENE, "--cells", "4", "--compress", "0.05")
+    alone = subprocess.run(words, env={**environment, "LD_PRELOAD": str(guard)}, capture_output=True, text=True, timeout=60, check=False)
+    assert alone.returncode == 0 and "rank" not in alone.stdout + alone.stderr, alone
+    begun = subprocess.run(words, env={**environment, "LD_PRELOAD": str(guard), "PMIX_RANK": "0"}, capture_output=True, timeout=60, check=False)
+    assert begun.returncode != 0, "the guard does not work"
+
+
+def started(*words):
+    """A run of four ranks that takes long, once it has written its first step."""
+    out = FOLDER / "long"
+    shutil.rmtree(out, ignore_errors=True)
+    many = [f"{0.001 * k:g}" for k in range(1, 200)]
+    process = subprocess.Popen(command(4, "--cells", "16", "--compress", *many, "--out", str(out), *words), env=ENVIRONMENT, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    until = time.monotonic() + 60
+    while not (out / "checkpoint.h5").exists():
+        assert time.monotonic() < until and process.poll() is None, process.communicate()
+        time.sleep(0.05)
+    return process, out
+
+
+def ranks_of(process):
+    """Processes of ranks, by the number of the rank."""
+    found = {}
+    for entry in pathlib.Path("/proc").iterdir():
+        try:
+            environment = (entry / "environ").read_bytes().split(b"\0")
+            if (entry / "stat").read_text().rsplit(")", 1)[1].split()[1] != str(process.pid):
+                continue
+            found.update({int(word.split(b"=")[1]): int(entry.name) for word in environment if word.startswith(b"OMPI_COMM_WORLD_RANK=")})
+        except (OSError, IndexError):
+            continue
+    assert sorted(found) == [0, 1, 2, 3], found
+    return found
+
+
+def is_alive(pid):
+    """Whether a process has not ended."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def expect_whole_files(out):
+    """A run goes on from them, to the bits of one that was not interrupted."""
+    steps = json.loads((out / "run.json").read_text())["steps"]
+    more = f"{steps[-1]['compression'] + 0.005:g}"
+    done(0, *command(2, "--cells", "16", "--compress", more, "--out", str(out), "--restart"))
+    again = FOLDER / "again"
+    shutil.rmtree(again, ignore_errors=True)
+    done(0, TRUTHCUBE, *SCENE, "--cells", "16", "--compress", *[f"{step['compression']:g}" for step in steps], more, "--out", str(again))
+    expect_same(again, out)
+
+
+def an_interrupt_of_one_rank_ends_all_behind_a_step():
+    """All ranks learn of it, and end with the status of an interrupted run; files are whole."""
+    process, out = started()
+    os.kill(ranks_of(process)[2], signal.SIGINT)
+    output, errors = process.communicate(timeout=30)
+    assert process.returncode == 130 and len(re.findall(r"^interrupted; \d+ steps are written$", output, re.M)) == 1, (process.returncode, output, errors)
+    expect_whole_files(out)
+
+
+def a_killed_rank_ends_all():
+    """The others end within 30 seconds, with a status that is not 0, and the rank is named; files are whole."""
+    process, out = started()
+    ranks = ranks_of(process)
+    os.kill(ranks[1], signal.SIGKILL)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode != 0 and re.search(r"process rank 1 with PID \d+ on node", errors), (process.returncode, errors)
+    until = time.monotonic() + 10
+    while any(map(is_alive, ranks.values())):
+        assert time.monotonic() < until, "a rank is left over"
+        time.sleep(0.1)
+    expect_whole_files(out)
+
+
+def an_error_of_the_rank_that_writes_ends_all():
+    """A folder that another run writes is said once, with the rank."""
+    process, out = started()
+    found, _, errors, _ = run(*command(2, "--cells", "16", "--compress", "0.05", "--out", str(out)))
+    process.kill()
+    process.communicate()
+    assert found != 0 and len(re.findall(r"rank 0 of 2 on \S+: .*another", errors)) == 1, errors
+
+
+try:
+    sys.exit(run_case(globals()))
+finally:
+    shutil.rmtree(FOLDER)

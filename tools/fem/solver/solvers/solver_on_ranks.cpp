@@ -1,0 +1,282 @@
+#include <fem/mesh/stages.h>
+#include <fem/solver/arrays/host_points.h>
+#include <fem/solver/levels/level_halos.h>
+#include <fem/solver/linear/performed_steps.h>
+#include <fem/solver/solvers/nested_newton.h>
+#include <fem/solver/solvers/part_of_equilibrium.h>
+#include <fem/solver/solvers/require.h>
+#include <fem/solver/solvers/scene_solvers.h>
+#include <fem/solver/solvers/scene_types.h>
+#include <fem/solver/solvers/solver_on_ranks.h>
+#include <quasistatic.halos.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace physgen::fem {
+
+namespace {
+
+namespace of_scene = scenes::quasistatic_scene;
+using On = DistributedExecutor<HostExecutor>;
+using Types = SceneTypes<SceneArrays<scenes::quasistatic, Host>>;
+using Level = Types::Level;
+
+/// A mesh on which equilibrium is sought: the whole one, or what a rank has of it.
+struct Mesh {
+  Types::Arrays::Own body;
+  of_scene::Patches<> patches;
+  of_scene::Chunk<> chunk;
+  Types::Vectors krylov;
+  MeshFacts facts;
+};
+
+/// All of the body, without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
+struct Whole : Mesh {
+  using Choices = Level::Choices;
+  std::vector<Level::Own> levels;
+  std::vector<LevelGraph> graphs;
+  std::vector<Mesh> coarser;
+
+  Whole(const std::vector<MeshLevel>& given, const Loading& loading, const SolverSettings& settings) {
+    const InStage stage("arrays of meshes");
+    const auto [used, solved] = used_levels(settings, given.size(), given.size());
+    graphs = make_level_graphs(std::span(given).first(used));
+    levels.resize(used);
+    coarser.resize(solved - 1);
+    std::vector<Point> motion = loading.motion, forces = loading.forces;
+    const auto no_chunk = std::make_shared<of_scene::Chunk<>>();
+    for (std::size_t l = 0; l < solved; ++l) {
+      const MeshLevel& level = given[l];
+      Types::Arrays arrays(level, graphs[l], l + 1 < solved, TangentLists::of_edges, no_chunk);
+      store_loading(arrays, level.fixed, motion, forces);
+      Mesh& mesh = l == 0 ? *this : coarser[l - 1];
+      mesh.facts.rounding_force = rounding_force(settings, level, motion, false, arrays.spacing);
+      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t fixed) { return fixed != 0; });
+      mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; });
+      where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<of_scene::Patches<>&>(over)); });
+      mesh.body = std::move(static_cast<Types::Arrays::Own&>(arrays));
+      if (l + 1 < solved) coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
+    }
+  }
+  /// How many levels are cut. Where equilibrium is sought on coarser meshes, too, all ranks have these.
+  [[nodiscard]] std::size_t cut(int ranks) const { return coarser.empty() ? levels_that_are_cut(graphs, ranks) : 1; }
+};
+
+std::string in_brackets(std::size_t k) { return "[" + std::to_string(k) + "]"; }
+
+/// The parts of a rank, and what runs steps over them.
+struct PartOfRank {
+  std::vector<Mesh> coarser;
+  of_scene::Stresses<> stressed;
+  std::unique_ptr<PartOfEquilibrium<Whole>> finest;
+  std::unique_ptr<On> on;
+
+  PartOfRank(const Ranks& ranks, const Whole& whole, const DistributedOptions& options)
+      : coarser(whole.coarser.size()) {
+    const InStage stage("parts of ranks");
+    const auto add_more = [&](auto& part) {
+      part.arrays.add("stresses.of_tets", "tet", stressed.of_tets);
+      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole.coarser[k], k);
+      for (std::size_t k = 0; k < coarser.size(); ++k) {
+        add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
+                    k == 0 ? whole.patches : whole.coarser[k - 1].patches, k);
+      }
+    };
+    finest = std::make_unique<PartOfEquilibrium<Whole>>(ranks, table(), whole, whole.cut(ranks.count()), add_more);
+    finest->facts.all_prescribed = whole.facts.all_prescribed;
+    for (std::size_t k = 0; k < coarser.size(); ++k) {
+      Mesh& mesh = coarser[k];
+      const MeshFacts& facts = whole.coarser[k].facts;
+      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body);
+      mesh.facts.rounding_force = facts.rounding_force;
+      mesh.facts.moves = facts.moves;
+      mesh.facts.all_prescribed = facts.all_prescribed;
+      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
+    }
+    on = std::make_unique<On>(ranks, finest->arrays, options);
+  }
+
+ private:
+  static HaloUses table() {
+    static const std::vector<HaloUse> rows = with_halos_of_levels(of_scene::halos);
+    return rows;
+  }
+  /// Mesh k + 1, which all ranks have.
+  void add(DistributedArrays& arrays, const Mesh& whole, std::size_t k) {
+    const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
+                      patch = "patch" + number;
+    Mesh& mesh = coarser[k];
+    const MeshSets sets{level + ".node", tet, tet, tet};
+    arrays.add_replicated_set(tet, whole.body.tets.size());
+    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body);
+    add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body);
+    if (whole.body.volumes.size() == 0) return;
+    arrays.add_replicated_set(patch, whole.body.volumes.size());
+    add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches);
+    add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches);
+  }
+  /// Of the patches of mesh k, among those of the next coarser one.
+  static void add_parents(DistributedArrays& arrays, of_scene::Patches<>& patches, const of_scene::Patches<>& whole,
+                          std::size_t k) {
+    if (whole.parents.size() == 0) return;
+    const std::string number = k == 0 ? "" : in_brackets(k);
+    arrays.add("patches" + number + ".parents", "patch" + number, patches.parents.contents());
+    arrays.connect(patches.parents.contents(), "patch", "patch" + in_brackets(k + 1),
+                   [view = whole.parents.const_view()](index_t p) { return std::array<Index, 1>{view[p].patch()}; });
+  }
+};
+
+class QuasistaticOnRanks final : public SolverOnRanks, private PartOfRank, private NestedNewton<On, Types> {
+  using Nested = NestedNewton<On, Types>;
+
+ public:
+  QuasistaticOnRanks(const Ranks& ranks, const Whole& whole, const SolverSettings& settings,
+                     const DistributedOptions& options)
+      : PartOfRank(ranks, whole, options),
+        Nested(*on, settings, Types::make_material(settings, whole.body.volumes.size() > 0), 1 + coarser.size()) {
+    take(*finest);
+    for (Mesh& mesh : coarser) take(mesh);
+    for (std::size_t l = 0; l < finest->levels.size(); ++l) {
+      linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
+      linear_.back()->sums = std::move(finest->facts.sums[l]);
+    }
+  }
+
+  NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
+    return Nested::solve_to(load, report);
+  }
+  void set_loading(const Loading& /*loading*/) override {
+    throw Error("a solver on several ranks keeps the loading that it was made with; change loads in one process");
+  }
+  [[nodiscard]] double load() const override { return load_; }
+  [[nodiscard]] std::vector<Point> positions() const override { return positions_of(0); }
+  [[nodiscard]] std::vector<Point> forces() override { return forces_of(0); }
+  [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
+    if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
+    return NodeState{positions_of(1), forces_of(1), {}};
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
+    evaluate_stresses(load_, stressed.of_tets);
+    return of_all_ranks<9>(stressed.of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
+  }
+  [[nodiscard]] index_t bytes() const override {
+    index_t sum = stressed.bytes();
+    for (const auto& level : linear_) sum += level->bytes();
+    for (const auto& arrays : arrays_) sum += arrays->bytes() + arrays->chunk_arrays->bytes();
+    for (const auto& vectors : vectors_) sum += vectors->bytes();
+    return sum;
+  }
+
+  [[nodiscard]] SolverState state() const override {
+    SolverState state;
+    state.load = load_;
+    state.is_equilibrium = reached_;
+    for (std::size_t l = 0; l < arrays_.size(); ++l) state.positions.push_back(positions_of(l));
+    return state;
+  }
+  void restore(const SolverState& state) override {
+    std::vector<std::size_t> counts;
+    for (const auto& a : arrays_)
+      counts.push_back(static_cast<std::size_t>(objects_of(a->rest.contents()).runs().size()));
+    require_state(state, counts);
+    for (std::size_t l = 0; l < arrays_.size(); ++l) {
+      elasticity::NodePositionArray<double> all(static_cast<index_t>(state.positions[l].size()));
+      store_positions(state.positions[l], all.view());
+      for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) finest->arrays.fill(*array, all);
+    }
+    load_ = state.load;
+    reached_ = state.is_equilibrium;
+    coarser_load_ = reached_ ? load_ : std::numeric_limits<double>::quiet_NaN();
+    last_reaction_ = reached_ ? state_now().reaction : 0.0;
+  }
+
+  [[nodiscard]] PartOfMesh part() const override {
+    const auto ghosts = [](const LocalSet& set) { return static_cast<index_t>(set.ghosts().size()); };
+    const LocalSet &nodes = objects_of(arrays_.front()->positions), &tets = objects_of(stressed.of_tets);
+    return {nodes.owned(), ghosts(nodes), tets.owned(), ghosts(tets)};
+  }
+  [[nodiscard]] Traffic traffic() const override { return on->traffic(); }
+
+ private:
+  template <class Array>
+  [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
+    return finest->arrays.objects_of(array);
+  }
+  template <class Groups>
+  void take(Groups& groups) {
+    const MeshFacts& facts = groups.facts;
+    arrays_.push_back(std::make_unique<Arrays>(std::move(groups.body)));
+    Arrays& arrays = *arrays_.back();
+    arrays.chunks = facts.chunks;
+    arrays.chunk_arrays = std::make_shared<of_scene::Chunk<>>(std::move(groups.chunk));
+    if (arrays.volumes.size() > 0) {
+      arrays.patches = std::make_unique<GroupOf<decltype(arrays.patches)>>(std::move(groups.patches));
+    }
+    vectors_.push_back(std::make_unique<Vectors>(std::move(groups.krylov)));
+    loops_.emplace_back();
+    rounding_forces_.push_back(facts.rounding_force);
+    moves_.push_back(facts.moves);
+    all_prescribed_.push_back(facts.all_prescribed);
+  }
+
+  [[nodiscard]] std::vector<Point> positions_of(std::size_t level) const {
+    return of_all_ranks<3>(arrays_[level]->positions, [](const auto& node, int k) -> double { return node.x()[k]; });
+  }
+  [[nodiscard]] std::vector<Point> forces_of(std::size_t level) {
+    (void)evaluate_now(level, load_);
+    return of_all_ranks<3>(arrays_[level]->forces, [](const auto& node, int k) -> double { return node.f()[k]; });
+  }
+  /// Numbers of all objects, on every rank. @param element element(object, k) is number k of an object
+  template <std::size_t kCount, class Array, class Element>
+  [[nodiscard]] std::vector<std::array<double, kCount>> of_all_ranks(const Array& array, const Element& element) const {
+    const LocalSet& objects = objects_of(array);
+    const Runs& runs = objects.runs();
+    std::vector<std::array<double, kCount>> mine(static_cast<std::size_t>(objects.owned()));
+    const auto view = array.const_view();
+    for (index_t i = objects.begin(); i < objects.end(); ++i) {
+      for (std::size_t k = 0; k < kCount; ++k) {
+        mine[static_cast<std::size_t>(i - objects.begin())][k] = element(view[i], static_cast<int>(k));
+      }
+    }
+    if (runs.ranks() == 1) return mine;
+    std::vector<std::array<double, kCount>> all(static_cast<std::size_t>(runs.size()));
+    const auto window = index_t{1} << 24;  // of objects: MPI gathers less than 2 GiB at once
+    const auto own = [&](int rank, index_t first, index_t last) {
+      return std::pair{std::clamp(runs.begin(rank), first, last), std::clamp(runs.end(rank), first, last)};
+    };
+    for (index_t first = 0; first < runs.size(); first += window) {
+      const index_t last = std::min(first + window, runs.size());
+      std::vector<index_t> sizes;
+      for (int r = 0; r < runs.ranks(); ++r) {
+        const auto [begin, end] = own(r, first, last);
+        sizes.push_back((end - begin) * index_t{sizeof(mine[0])});
+      }
+      const auto [begin, end] = own(objects.rank(), first, last);
+      const auto given = std::span(mine).subspan(static_cast<std::size_t>(begin - runs.begin(objects.rank())),
+                                                 static_cast<std::size_t>(end - begin));
+      const auto taken =
+          std::span(all).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+      finest->arrays.transport().gather(std::as_bytes(given), sizes, std::as_writable_bytes(taken));
+    }
+    return all;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const std::vector<MeshLevel>& levels,
+                                                    const Loading& loading, const SolverSettings& settings,
+                                                    const DistributedOptions& options) {
+  require_scene_solver("quasistatic", levels, loading, settings);
+  if (levels.front().axes) {
+    throw Error("supports along axes of their own are not there on several ranks; solve with them in one process");
+  }
+  if (settings.device != Device::cpu) {
+    throw Error("the solver runs on several ranks on the CPU alone; choose the device cpu, or start one process");
+  }
+  return std::make_unique<QuasistaticOnRanks>(ranks, Whole(levels, loading, settings), settings, options);
+}
+
+}  // namespace physgen::fem

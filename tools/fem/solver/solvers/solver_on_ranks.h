@@ -1,0 +1,38 @@
+// The solver on several ranks (runtime/distributed.md): each has a part of the finest mesh, and all have the coarser
+// ones. Equilibria have the bits of one process.
+#pragma once
+
+#include <fem/solver/quasistatic.h>
+#include <physgen/distributed/options.h>
+#include <physgen/distributed/ranks.h>
+#include <physgen/distributed/transport.h>
+
+#include <memory>
+#include <vector>
+
+namespace physgen::fem {
+
+/// What a rank has of the finest mesh.
+struct PartOfMesh {
+  index_t owned_nodes = 0, ghost_nodes = 0, owned_tets = 0, ghost_tets = 0;
+};
+
+/// All ranks call each function, with the same arguments, and get the same values: those of the whole mesh.
+class SolverOnRanks : public EquilibriumSolver {
+ public:
+  [[nodiscard]] virtual PartOfMesh part() const = 0;
+  /// What has crossed so far, seen from this rank.
+  [[nodiscard]] virtual Traffic traffic() const = 0;
+};
+
+/// Equilibria of the scene quasistatic, on the CPU, by tets or patches. bytes() are those of this rank.
+/// @param levels the same on all ranks, as loading and settings. While this makes its arrays, each rank has those of
+/// the whole mesh, too
+/// @throw Error as make_scene_solver(); and for supports along axes of their own, which one process has
+[[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks,
+                                                                  const std::vector<MeshLevel>& levels,
+                                                                  const Loading& loading,
+                                                                  const SolverSettings& settings,
+                                                                  const DistributedOptions& options = {});
+
+}  // namespace physgen::fem

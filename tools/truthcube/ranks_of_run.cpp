@@ -1,0 +1,131 @@
+#include "ranks_of_run.h"
+
+#include <fem/solver/solvers/solver_on_ranks.h>
+#include <physgen/error.h>
+#include <physgen/launch/processors.h>
+#include <physgen/threads.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+
+#include "scene_choice.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+/// The processors that this process may use, as text.
+std::string allowed_set() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (::sched_getaffinity(0, sizeof set, &set) != 0) return "";
+  std::string text;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) text += CPU_ISSET(cpu, &set) ? '1' : '0';
+  return text;
+}
+
+}  // namespace
+
+void require_on_ranks(const Options& options) {
+  const auto refuse = [](const std::string& what, const std::string& remedy) {
+    throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
+  };
+#ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
+  refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
+#endif
+  if (options.is_case()) refuse("cases (--case)", "press the cube between plates");
+  if (!options.is_cube()) refuse("meshes of your own (--mesh)", "take the cube");
+  if (options.solver.device != fem::Device::cpu) refuse("--device cuda", "write --device cpu");
+  if (options.scene != SceneKind::quasistatic) {
+    refuse("--scene " + name_of(scene_kinds, options.scene), "write --scene quasistatic");
+  }
+}
+
+RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(ranks) {
+  if (!are_several()) return;
+  require_on_ranks(options);
+  transport_ = make_transport(ranks);
+  const std::vector<std::string> machines = texts_of_all(ranks.host());
+  on_this_machine_ = static_cast<int>(std::ranges::count(machines, ranks.host()));
+  const std::string own = ranks.host() + " " + allowed_set();
+  const auto sharing = static_cast<int>(std::ranges::count(texts_of_all(own), own));
+  if (options.threads == 0 && std::getenv("OMP_NUM_THREADS") == nullptr) {
+    set_threads(std::max(1, allowed_processors() / sharing));
+  }
+}
+
+bool RanksOfRun::any(bool is_so) const {
+  if (!are_several()) return is_so;
+  const std::vector<index_t> given(static_cast<std::size_t>(ranks_.count()), is_so ? 1 : 0);
+  return std::ranges::count(transport_->all_to_all(given), 1) > 0;
+}
+
+std::vector<std::string> RanksOfRun::texts_of_all(const std::string& mine) const {
+  const auto ranks = static_cast<std::size_t>(ranks_.count());
+  const std::vector<index_t> sizes =
+      transport_->all_to_all(std::vector<index_t>(ranks, static_cast<index_t>(mine.size())));
+  std::string all(static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), index_t{0})), ' ');
+  transport_->gather(std::as_bytes(std::span(mine)), sizes, std::as_writable_bytes(std::span(all)));
+  std::vector<std::string> texts;
+  std::size_t begin = 0;
+  for (const index_t size : sizes) {
+    texts.push_back(all.substr(begin, static_cast<std::size_t>(size)));
+    begin += static_cast<std::size_t>(size);
+  }
+  return texts;
+}
+
+#ifdef PHYSGEN_TRUTHCUBE_HAS_RANKS
+
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& levels,
+                                                                const fem::Loading& loading,
+                                                                const fem::SolverSettings& settings) {
+  auto solver = fem::make_solver_on_ranks(ranks_, levels, loading, settings);
+  solver_ = solver.get();
+  return solver;
+}
+
+void RanksOfRun::print_parts(const Terminal& terminal) const {
+  const fem::PartOfMesh part = solver_->part();
+  const auto column = [](index_t number, std::size_t width) {
+    const std::string text = std::to_string(number);
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+  };
+  const std::string line = column(part.owned_nodes, 13) + column(part.ghost_nodes, 13) + column(part.owned_tets, 13) +
+                           column(part.ghost_tets, 13) + column(solver_->bytes(), 17) + column(threads(), 9) + "  " +
+                           ranks_.host();
+  const std::vector<std::string> lines = texts_of_all(line);
+  terminal.text("   rank    own nodes       ghosts     own tets       ghosts            bytes  threads  machine");
+  for (std::size_t r = 0; r < lines.size(); ++r) terminal.text(column(static_cast<index_t>(r), 7) + lines[r]);
+}
+
+void RanksOfRun::count(RunRecord& record) const {
+  if (!are_several()) return;
+  const Traffic traffic = solver_->traffic();
+  std::vector<index_t> all(static_cast<std::size_t>(ranks_.count()));
+  const auto sum = [&](index_t mine) {
+    std::ranges::fill(all, mine);
+    const std::vector<index_t> got = transport_->all_to_all(all);
+    return static_cast<std::int64_t>(std::accumulate(got.begin(), got.end(), index_t{0}));
+  };
+  record.bytes = sum(solver_->bytes());
+  record.ranks = RanksRecord{ranks_.count(),        traffic.exchanges,  traffic.gathers,
+                             sum(traffic.messages), sum(traffic.bytes), sum(traffic.gathered_bytes)};
+}
+
+#else
+
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& /*levels*/,
+                                                                const fem::Loading& /*loading*/,
+                                                                const fem::SolverSettings& /*settings*/) {
+  throw Error("this build has no solver on several ranks");
+}
+void RanksOfRun::print_parts(const Terminal& /*terminal*/) const {}
+void RanksOfRun::count(RunRecord& /*record*/) const {}
+
+#endif
+
+}  // namespace physgen::truthcube

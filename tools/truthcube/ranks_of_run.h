@@ -1,0 +1,59 @@
+// The ranks of a run, of which the first prints and writes: what they decide together, and the solver of several.
+#pragma once
+
+#include <fem/solver/quasistatic.h>
+#include <physgen/distributed/ranks.h>
+#include <physgen/distributed/transport.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "options.h"
+#include "output/run_json.h"
+#include "terminal.h"
+
+namespace physgen::fem {
+class SolverOnRanks;
+}  // namespace physgen::fem
+
+namespace physgen::truthcube {
+
+/// @throw Error naming what several ranks do not have, and what to write instead
+void require_on_ranks(const Options& options);
+
+/// All ranks call the same functions. With one rank they do what a program of one process does.
+class RanksOfRun {
+ public:
+  /// Threads of ranks that may use the same processors share these, where `options.threads` and OMP_NUM_THREADS say
+  /// nothing. @throw Error as require_on_ranks(), with several
+  RanksOfRun(const Ranks& ranks, const Options& options);
+
+  [[nodiscard]] bool is_first() const { return ranks_.is_first(); }
+  [[nodiscard]] bool are_several() const { return ranks_.count() > 1; }
+  [[nodiscard]] int on_this_machine() const { return on_this_machine_; }
+  /// Whether it is so on any rank.
+  [[nodiscard]] bool any(bool is_so) const;
+  /// See Ranks::agree().
+  void agree(const std::string& what, const std::string& value) const { ranks_.agree(what, value); }
+
+  /// Of several ranks; it stays known as long as it lives.
+  [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::vector<fem::MeshLevel>& levels,
+                                                                    const fem::Loading& loading,
+                                                                    const fem::SolverSettings& settings);
+  /// A line for each rank: its machine, its part of the finest mesh, and its bytes. @pre make_solver()
+  void print_parts(const Terminal& terminal) const;
+  /// The number of ranks, and what has crossed, of several. @pre make_solver()
+  void count(RunRecord& record) const;
+
+ private:
+  /// The texts of all ranks.
+  [[nodiscard]] std::vector<std::string> texts_of_all(const std::string& mine) const;
+
+  const Ranks& ranks_;
+  std::unique_ptr<Transport> transport_;
+  int on_this_machine_ = 1;
+  [[maybe_unused]] fem::SolverOnRanks* solver_ = nullptr;  ///< in builds that have it
+};
+
+}  // namespace physgen::truthcube
