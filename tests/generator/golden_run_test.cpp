@@ -1,6 +1,6 @@
 // The headers in golden/, compiled and run: every field of every object is written through accessors and through
-// values, in every layout and in both precisions, one object at a time and in SIMD packs, and read back by every way
-// there is.
+// values, in both precisions and by turns in every layout, one object at a time and in SIMD packs, and read back by
+// every way there is.
 #include "golden_run.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <cstring>
 #include <new>
 #include <set>
+#include <tuple>
 
 #include "everything.physgen.h"
 
@@ -190,23 +191,22 @@ using Objects = testing::Types<material::LameObject, material::FibreObject, tiss
 TYPED_TEST_SUITE(GoldenRun, Objects);
 
 template <class Object, class... All>
-constexpr int place_in(testing::Types<All...> /*list*/) {
-  int place = 0, k = 0;
+constexpr std::size_t place_in(testing::Types<All...> /*list*/) {
+  std::size_t place = 0, k = 0;
   ((place = std::is_same_v<Object, All> ? k : place, ++k), ...);
   return place;
 }
 
-// By turns in float and double, so that each two of an object, a layout and a precision meet: where an element lies is
-// said by the object's record in a precision, and by the layout for any record.
-TYPED_TEST(GoldenRun, every_field_keeps_its_value_in_every_layout) {
-  constexpr bool even = place_in<TypeParam>(Objects()) % 2 == 0;
-  using First = std::conditional_t<even, float, double>;
-  using Second = std::conditional_t<even, double, float>;
-  round_trips<TypeParam, First, Aos>();
-  round_trips<TypeParam, Second, AosPadded>();
-  round_trips<TypeParam, First, Soa>();
-  round_trips<TypeParam, Second, Aosoa<8>>();
-  round_trips<TypeParam, First, Aosoa<32>>();
+// By turns in float and double, and in two of five layouts each, so that each object meets both precisions, and each
+// layout both of them and several objects: where an element lies is said by the object's record in a precision, and by
+// the layout for any record. Nothing that is generated knows of layouts.
+TYPED_TEST(GoldenRun, every_field_keeps_its_value) {
+  constexpr std::size_t place = place_in<TypeParam>(Objects());
+  using Layouts = std::tuple<Aos, AosPadded, Soa, Aosoa<8>, Aosoa<32>>;
+  using First = std::conditional_t<place % 2 == 0, float, double>;
+  using Second = std::conditional_t<place % 2 == 0, double, float>;
+  round_trips<TypeParam, First, std::tuple_element_t<place % 5, Layouts>>();
+  round_trips<TypeParam, Second, std::tuple_element_t<(place + 2) % 5, Layouts>>();
 }
 
 TYPED_TEST(GoldenRun, fields_have_different_names) {

@@ -19,7 +19,7 @@ using scenes::Scene;
 const Field index_of_two{"nodes", "int32", 2, 8, false}, number{"code", "int32", 1, 4, false};
 
 /// Edges name nodes and follow them; the rows of nodes have ends, which name edges. And numbers that all ranks keep.
-Scene springs() {
+Scene distributed_springs() {
   Scene scene;
   scene.name = "springs";
   scene.scope = "scenes";
@@ -62,7 +62,7 @@ std::string refused(const Scene& scene,
 }
 
 TEST(Distribution, is_sets_and_what_names_what) {
-  const scenes::Distribution found = scenes::find_distribution(springs(), needs_of(springs()));
+  const scenes::Distribution found = scenes::find_distribution(distributed_springs(), needs_of(distributed_springs()));
   EXPECT_EQ(found.refused, "");
   EXPECT_EQ(found.sets,
             (std::vector<scenes::Distribution::Set>{{"node", "", false}, {"edge", "node", false}, {"end", "", true}}));
@@ -71,7 +71,7 @@ TEST(Distribution, is_sets_and_what_names_what) {
 }
 
 TEST(Distribution, of_several_groups_has_them_as_members) {
-  Scene scene = springs();
+  Scene scene = distributed_springs();
   scene.real.clear();
   scenes::Group work{"Work", "work", "", {array("f", "m::Force", "node", {{"f", "float32", 3, 12, false}})}, {}};
   scene.groups.push_back(std::move(work));
@@ -133,7 +133,7 @@ void program(On& on, Distributed<Space, Stored>& all, Parameters&&... parameters
 }
 
 TEST(Distribution, has_nothing_of_fields_that_the_program_does_not_read) {
-  const Scene scene = springs();
+  const Scene scene = distributed_springs();
   Needs needs = needs_of(scene, {});
   needs.arrays[3].fields[0].kept = false;
   const scenes::Distribution found = scenes::find_distribution(scene, needs);
@@ -148,11 +148,11 @@ TEST(Distribution, has_nothing_of_fields_that_the_program_does_not_read) {
 }
 
 TEST(Distribution, is_not_where_ranks_cannot_have_the_arrays_and_the_report_says_why) {
-  Scene scene = springs();
+  Scene scene = distributed_springs();
   std::vector<scenes::Array>* arrays = &scene.groups[0].arrays;
   const auto expect = [&](const std::string& why) {
     EXPECT_EQ(refused(scene), why);
-    scene = springs();
+    scene = distributed_springs();
     arrays = &scene.groups[0].arrays;
   };
   (*arrays)[1].names.push_back({"nodes", "edge", 0, {}});

@@ -72,7 +72,7 @@ Block block(const std::string& name, const std::string& kernel, const std::strin
   return {name, "on.run(n, " + kernel + "{in, M});\n    " + between + "on.run(n, Shift{1, M, OUT});", "\"a\""};
 }
 
-const std::vector<Block> blocks = {
+const std::vector<Block> blocks_with_state = {
     block("harmless", "CopyHarmless"),
     {"twice", "on.run(n, Copy{in, M});\n    on.run(n, Shift{twice(2), M, OUT});", "\"a\""},
     block("member", "CopyByMember"),
@@ -107,12 +107,12 @@ const std::vector<Block> blocks = {
 TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_would_mean_something_else) {
   folder.write("particles.h", particles_schema);
   folder.write("kernels.h", kernels());
-  folder.write("scenes/groups.h", scene_of(blocks, "#define SOURCE in\n"));
+  folder.write("scenes/groups.h", scene_of(blocks_with_state, "#define SOURCE in\n"));
   ASSERT_EQ(run("generate particles.h -o generated").status, 0);
   const auto outcome = run("scene scenes/groups.h -o out -- -I. -Igenerated " PHYSGEN_FLAGS);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto needs = nlohmann::json::parse(text_of(folder / "out/groups.need.json"));
-  auto why = apart_of(needs, blocks, folder / "").why;
+  auto why = apart_of(needs, blocks_with_state, folder / "").why;
   std::vector<std::string> locals;
   for (const auto& group : needs.at("groups"))
     for (const auto& local : group.at("locals")) locals.push_back(local.at("array"));

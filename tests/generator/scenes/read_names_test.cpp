@@ -24,7 +24,7 @@ TEST(SceneDeclaration, says_which_sets_index_fields_name_and_which_set_another_f
   EXPECT_FALSE(scenes::states_names(*without.scene));
 }
 
-const std::vector<Wrong> cases = {
+const std::vector<Wrong> wrong_names = {
     {"names_of_a_field_that_is_not_there",
      scene_of("PHYSGEN_ARRAY(per(\"tet\"), names(\"m\", \"tet\")) Array<SvdObject, float> svds;"),
      {"3:27: error: array 'svds' holds Svd; there is no field 'm'; there are U, n and points.x"}},
@@ -78,7 +78,8 @@ TEST_P(WrongNames, are_reported) {
   EXPECT_FALSE(declaration.scene);
   EXPECT_EQ(errors_of(declaration.diagnostics), GetParam().expected) << declaration.diagnostics;
 }
-INSTANTIATE_TEST_SUITE_P(With, WrongNames, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(With, WrongNames, testing::ValuesIn(wrong_names),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace physgen::test

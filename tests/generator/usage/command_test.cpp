@@ -13,11 +13,11 @@ std::string program(const std::string& body) {
   return small_probes + "struct K { V<A> a; V<B> b; void operator()(int i) const {\n" + body +
          "\n} };\nvoid f() { run(K{}); }\n";
 }
-const std::string sound = program("b.put(a.get());");
+const std::string sound_program = program("b.put(a.get());");
 
 class UsageCommand : public Command {
  protected:
-  UsageCommand() { folder.write("a.cpp", sound); }
+  UsageCommand() { folder.write("a.cpp", sound_program); }
 };
 
 TEST_F(UsageCommand, prints_a_table_and_the_time_of_each_side) {
@@ -52,7 +52,7 @@ TEST_F(UsageCommand, takes_flags_of_a_compiler) {
 }
 
 TEST_F(UsageCommand, finds_headers_beside_the_file_and_those_of_the_runtime) {
-  folder.write("beside.h", sound);
+  folder.write("beside.h", sound_program);
   folder.write("b.cpp", "#include \"beside.h\"\n#include <physgen/config.h>\nphysgen::index_t n;\n");
   const auto outcome = run("usage b.cpp --side host");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -27,13 +27,13 @@ std::string too_early(const std::string& body, const std::string& before = "") {
 }
 
 /// A kernel of this body.
-std::string kernel(const std::string& body) {
+std::string kernel_of(const std::string& body) {
   return "struct K { V<A> a; void operator()(int i) const { " + body + " } };\n";
 }
 
 TEST(EarlyReads, are_those_of_a_step_that_reads_what_it_alone_writes) {
   EXPECT_EQ(too_early("run(Advance{a});"), "a Advance 2:63");
-  EXPECT_EQ(too_early("run(K{a});", kernel("for (; i < 3; ++i) a.put(a.get());")), "a K 3:78");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("for (; i < 3; ++i) a.put(a.get());")), "a K 3:78");
 }
 
 TEST(EarlyReads, follow_the_order_in_which_steps_are_called) {
@@ -49,14 +49,14 @@ TEST(EarlyReads, follow_the_order_in_which_steps_are_called) {
 }
 
 TEST(EarlyReads, are_none_where_the_step_writes_first) {
-  EXPECT_EQ(too_early("run(K{a});", kernel("a.put(1); a.put(a.get());")), "");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("a.put(1); a.put(a.get());")), "");
 }
 
 TEST(EarlyReads, are_none_where_a_condition_may_leave_them_out) {
-  EXPECT_EQ(too_early("run(K{a});", kernel("a.put(i == 0 ? 0 : a.get());")), "");
-  EXPECT_EQ(too_early("run(K{a});", kernel("float x = 0; if (i > 0) x = a.get(); a.put(x);")), "");
-  EXPECT_EQ(too_early("run(K{a});", kernel("a.put(i > 0 && a.get() > 0);")), "");
-  EXPECT_EQ(too_early("run(K{a});", kernel("if constexpr (sizeof(i) > 0) a.put(a.get());")), "a K 3:88");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("a.put(i == 0 ? 0 : a.get());")), "");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("float x = 0; if (i > 0) x = a.get(); a.put(x);")), "");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("a.put(i > 0 && a.get() > 0);")), "");
+  EXPECT_EQ(too_early("run(K{a});", kernel_of("if constexpr (sizeof(i) > 0) a.put(a.get());")), "a K 3:88");
   EXPECT_EQ(too_early("if (b.memory) run(Advance{a}); else run(Clear{a});"), "");
 }
 

@@ -1,5 +1,5 @@
-// See stream_kernels.h.
-#include <physgen/cuda/parallel_for.h>
+// See stream_kernels.h. Without physgen's launches, whose headers nvcc reads longer than all else here.
+#include <physgen/cuda/check.h>
 
 #include "stream_kernels.h"
 
@@ -7,22 +7,23 @@ namespace physgen::test {
 
 namespace {
 
-struct Spin {
-  long long cycles;
-  __device__ void operator()(index_t /*i*/) const {
-    const long long start = clock64();
-    while (clock64() - start < cycles) {
-    }
+__global__ void spin_for(long long cycles) {
+  const long long start = clock64();
+  while (clock64() - start < cycles) {
   }
-};
+}
 
-struct Trap {
-  __device__ void operator()(index_t /*i*/) const { __trap(); }
-};
+__global__ void trap_at_once() { __trap(); }
 
 }  // namespace
 
-void spin(Stream stream) { parallel_for(Cuda{}, 1, Spin{100000000}, stream); }
-void trap(Stream stream) { parallel_for(Cuda{}, 1, Trap{}, stream); }
+void spin(Stream stream) {
+  spin_for<<<1, 1, 0, stream>>>(100000000);
+  cuda::check(cudaGetLastError(), "starting a kernel that spins");
+}
+void trap(Stream stream) {
+  trap_at_once<<<1, 1, 0, stream>>>();
+  cuda::check(cudaGetLastError(), "starting a kernel that traps");
+}
 
 }  // namespace physgen::test

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string sound = schema_of(object("Scalar x;"));
+const std::string sound_schema = schema_of(object("Scalar x;"));
 
 using Outputs = Command;
 
@@ -38,7 +38,7 @@ TEST_F(Outputs, never_overwrite_what_is_read) {
 }
 
 TEST_F(Outputs, are_different_files) {
-  folder.write("a.h", sound);
+  folder.write("a.h", sound_schema);
   for (const char* arguments :
        {"generate a.h -o out --stamp s --depfile ./s", "generate a.h -o out --stamp out/a.physgen.h"}) {
     const auto outcome = run(arguments);
@@ -59,7 +59,7 @@ TEST_F(Outputs, of_usage_are_not_the_file_that_it_compares_with) {
 }
 
 TEST_F(Outputs, go_into_a_pipe_and_leave_it_a_pipe) {
-  folder.write("a.h", sound);
+  folder.write("a.h", sound_schema);
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   const int pipe = ::open((folder / "pipe").c_str(), O_RDWR | O_NONBLOCK);  // has a reader before physgen writes
   ASSERT_GE(pipe, 0);
@@ -74,7 +74,7 @@ TEST_F(Outputs, go_into_a_pipe_and_leave_it_a_pipe) {
 
 TEST_F(Outputs, that_cannot_all_be_printed_are_an_error) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  folder.write("a.h", sound);
+  folder.write("a.h", sound_schema);
   for (const char* arguments : {"model a.h", "layout a.h", "check a.h", "--help"}) {
     run(std::string(arguments) + " > /dev/full 2> messages; echo $? > status; true");
     EXPECT_EQ(text_of(folder / "status"), "2\n") << arguments;
