@@ -95,7 +95,7 @@ std::set<std::string> fields_read(const scenes::Needs& needs) {
 /// The fields that a compiler's messages say to be pruned.
 std::set<std::string> refused_fields(const std::string& said) {
   std::set<std::string> named;
-  const std::regex tag("Pruned<[A-Za-z0-9_:, ]*_scene::tags::([A-Za-z0-9_:]*)>::");
+  const std::regex tag("Pruned<[A-Za-z0-9_:, ]*_scene::tags::([A-Za-z0-9_:]*[A-Za-z0-9])_*>::");
   for (auto match = std::sregex_iterator(said.begin(), said.end(), tag); match != std::sregex_iterator(); ++match)
     named.insert(std::regex_replace((*match)[1].str(), std::regex("::"), "_"));
   return named;
