@@ -18,10 +18,7 @@ inline constexpr const char *of_child_ranges = "level.child_ranges.begin, level.
                             *of_term_ranges = "level.edge_term_ranges.begin, level.edge_term_ranges.end",
                             *of_terms = "level.edge_term_entries.code", *of_edges = "level.edges.nodes",
                             *of_node_edge_ranges = "level.node_edge_ranges.begin, level.node_edge_ranges.end",
-                            *of_node_edges = "level.node_edge_entries.code",
-                            *of_node_tet_ranges = "body.node_tet_ranges.begin, body.node_tet_ranges.end",
-                            *of_node_tets = "body.node_tet_entries.code",
-                            *of_parents_and_tets = "level.parents.nodes, body.tets.nodes";
+                            *of_node_edges = "level.node_edge_entries.code";
 inline constexpr HaloAccess reads_own{.reads_own = true}, reads_others{.reads_others = true},
     reads_all{.reads_own = true, .reads_others = true}, writes_own{.writes_own = true},
     changes_own{.reads_own = true, .writes_own = true};
@@ -63,13 +60,12 @@ inline constexpr HaloUse halos_of_levels[] = {
     // From a coarser mesh on which equilibrium was found.
     {"physgen::fem::InterpolateMotion", 0, "nodes", reads_own},
     {"physgen::fem::InterpolateMotion", 1, "x", reads_own},
-    {"physgen::fem::InterpolateMotion", 2, "begin", reads_others, of_parents},
-    {"physgen::fem::InterpolateMotion", 2, "end", reads_others, of_parents},
-    {"physgen::fem::InterpolateMotion", 3, "code", reads_others, of_node_tet_ranges},
-    {"physgen::fem::InterpolateMotion", 4, "nodes", reads_others, of_node_tets},
-    {"physgen::fem::InterpolateMotion", 5, "x", reads_others, of_parents_and_tets},
-    {"physgen::fem::InterpolateMotion", 6, "x", reads_others, of_parents_and_tets},
-    {"physgen::fem::InterpolateMotion", 7, "x", reads_others, of_parents_and_tets},
+    {"physgen::fem::InterpolateMotion", 2, "x", reads_others, of_parents},
+    {"physgen::fem::InterpolateMotion", 3, "x", reads_others, of_parents},
+    {"physgen::fem::InterpolateMotion", 4, "x", reads_others, of_parents},
+    {"physgen::fem::InterpolateMotion", 5, "x", reads_others, of_parents},
+    {"physgen::fem::InterpolateMotion", 6, "f", reads_others, of_parents},
+    {"physgen::fem::InterpolateMotion", 7, "dx", reads_others, of_parents},
     {"physgen::fem::InterpolateMotion", 8, "fixed", reads_own},
     {"physgen::fem::InterpolateMotion", 9, "x", changes_own},
 
