@@ -17,6 +17,7 @@ inline constexpr const char *of_child_ranges = "level.child_ranges.begin, level.
                             *of_children = "level.child_entries.code", *of_parents = "level.parents.nodes",
                             *of_term_ranges = "level.edge_term_ranges.begin, level.edge_term_ranges.end",
                             *of_terms = "level.edge_term_entries.code", *of_edges = "level.edges.nodes",
+                            *of_terms_and_edges = "level.edge_term_entries.code, level.edges.nodes",
                             *of_node_edge_ranges = "level.node_edge_ranges.begin, level.node_edge_ranges.end",
                             *of_node_edges = "level.node_edge_entries.code";
 inline constexpr HaloAccess reads_own{.reads_own = true}, reads_others{.reads_others = true},
@@ -30,7 +31,7 @@ inline constexpr HaloUse halos_of_levels[] = {
     {"physgen::fem::SymmetricProduct", 3, "dx", reads_all, of_edges},
     {"physgen::fem::SymmetricProduct", 4, "df", changes_own},
 
-    {"physgen::fem::RestrictResidual", 0, "", {}},
+    {"physgen::fem::RestrictResidual", 0, "weights", reads_others, of_children},
     {"physgen::fem::RestrictResidual", 1, "begin", reads_own},
     {"physgen::fem::RestrictResidual", 1, "end", reads_own},
     {"physgen::fem::RestrictResidual", 2, "code", reads_others, of_child_ranges},
@@ -41,6 +42,7 @@ inline constexpr HaloUse halos_of_levels[] = {
     {"physgen::fem::RestrictResidual", 7, "df", writes_own},
 
     {"physgen::fem::InterpolateCorrection", 0, "nodes", reads_own},
+    {"physgen::fem::InterpolateCorrection", 0, "weights", reads_own},
     {"physgen::fem::InterpolateCorrection", 1, "scale", reads_others, of_parents},
     {"physgen::fem::InterpolateCorrection", 2, "dx", reads_others, of_parents},
     {"physgen::fem::InterpolateCorrection", 3, "fixed", reads_own},
@@ -56,6 +58,33 @@ inline constexpr HaloUse halos_of_levels[] = {
     {"physgen::fem::CoarsenEdgeStiffness", 2, "K", reads_others, of_terms},
     {"physgen::fem::CoarsenEdgeStiffness", 3, "E", reads_others, of_terms},
     {"physgen::fem::CoarsenEdgeStiffness", 4, "E", writes_own},
+
+    {"physgen::fem::CoarsenPlaneStiffness", 0, "begin", reads_own},
+    {"physgen::fem::CoarsenPlaneStiffness", 0, "end", reads_own},
+    {"physgen::fem::CoarsenPlaneStiffness", 1, "code", reads_others, of_child_ranges},
+    {"physgen::fem::CoarsenPlaneStiffness", 2, "K", reads_others, of_children},
+    {"physgen::fem::CoarsenPlaneStiffness", 3, "K", writes_own},
+    {"physgen::fem::CoarsenPlaneStiffness", 4, "K", changes_own},
+
+    // In a background grid, whose nodes' parents are added as level.parents, too.
+    {"physgen::fem::CoarsenToGrid", 0, "begin", reads_own},
+    {"physgen::fem::CoarsenToGrid", 0, "end", reads_own},
+    {"physgen::fem::CoarsenToGrid", 1, "code", reads_others, of_term_ranges},
+    {"physgen::fem::CoarsenToGrid", 2, "nodes", reads_others, of_terms_and_edges},
+    {"physgen::fem::CoarsenToGrid", 2, "weights", reads_others, of_terms_and_edges},
+    {"physgen::fem::CoarsenToGrid", 3, "fixed", reads_others, of_terms_and_edges},
+    {"physgen::fem::CoarsenToGrid", 4, "nodes", reads_others, of_terms},
+    {"physgen::fem::CoarsenToGrid", 5, "K", reads_others, of_terms},
+    {"physgen::fem::CoarsenToGrid", 6, "E", reads_others, of_terms},
+    {"physgen::fem::CoarsenToGrid", 7, "nodes", reads_own},
+    {"physgen::fem::CoarsenToGrid", 8, "E", writes_own},
+
+    {"physgen::fem::CoarsenTranslationStiffness", 0, "weights", reads_others, of_children},
+    {"physgen::fem::CoarsenTranslationStiffness", 1, "begin", reads_own},
+    {"physgen::fem::CoarsenTranslationStiffness", 1, "end", reads_own},
+    {"physgen::fem::CoarsenTranslationStiffness", 2, "code", reads_others, of_child_ranges},
+    {"physgen::fem::CoarsenTranslationStiffness", 3, "T", reads_others, of_children},
+    {"physgen::fem::CoarsenTranslationStiffness", 4, "T", writes_own},
 
     // From a coarser mesh on which equilibrium was found.
     {"physgen::fem::InterpolateMotion", 0, "nodes", reads_own},
@@ -91,7 +120,7 @@ inline constexpr HaloUse halos_of_levels[] = {
 
 }  // namespace detail
 
-/// The table of a scene's program over levels of meshes, on several ranks.
+/// The table of a scene's program over levels, on several ranks.
 /// @param scene its own, of arrays "level.constraints" and so on
 [[nodiscard]] inline std::vector<HaloUse> with_halos_of_levels(HaloUses scene) {
   std::vector<HaloUse> rows(std::begin(detail::halos_of_levels), std::end(detail::halos_of_levels));
