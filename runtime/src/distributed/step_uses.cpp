@@ -116,7 +116,11 @@ void HaloSteps::add_gathered(Step& step, const Use& use, const std::vector<Use>&
   arrays_.arrays()[static_cast<std::size_t>(use.field.array)].is_gathered[static_cast<std::size_t>(use.field.field)] =
       1;
   const auto& namings = arrays_.namings();
-  const auto is_this = [&](const Partition::Naming& naming) { return naming.field == name_of(use.field); };
+  const auto is_this = [&](const Partition::Naming& naming) {
+    // Numbers of objects that all ranks have are those of ghosts, too.
+    const DistributedSet& target = arrays_.sets()[static_cast<std::size_t>(naming.target)];
+    return naming.field == name_of(use.field) && target.kind != DistributedSet::Kind::replicated;
+  };
   const auto indices = std::ranges::find_if(namings, is_this);
   if (use.is_known && indices != namings.end()) {
     const DistributedSet& source = arrays_.sets()[static_cast<std::size_t>(indices->source)];

@@ -1,7 +1,9 @@
-// implicit_steps: time steps of the scene implicit_dynamics, for a cube of irregular tets whose nodes fly apart while
-// its upper plate comes down, on as many ranks as it is started with.
+// implicit_steps: time steps of the scene implicit_dynamics, for a cube whose nodes fly apart while its upper plate
+// comes down, on as many ranks as it is started with: of irregular tets with block Jacobi, or of regular ones with
+// multigrid.
 //
 //   --cells N      along each side (default 12)
+//   --levels N     multigrid over so many meshes at most (default 1: none)
 //   --ordinary 1   one process by the solver's ordinary way
 #include <fem/solver/loads/inertia_arrays.h>
 #include <fem/solver/loads/loading_arrays.h>
@@ -12,7 +14,9 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "newton_runs.h"
 
@@ -24,23 +28,28 @@ namespace of_scene = scenes::implicit_dynamics_scene;
 
 constexpr double density = 1200, damping = 3, length = 2e-3;  // [kg/m^3], [1/s], [s]
 
-/// The masses and random velocities of all nodes.
-of_scene::Inertia<> whole_inertia(const std::vector<double>& masses) {
-  of_scene::Inertia<> inertia = InertiaOver<of_scene::Inertia<>>(masses, true);
+/// The masses of each level's nodes, and random velocities of the finest.
+std::vector<of_scene::Inertia<>> whole_inertia(const Body& body, std::vector<double> masses) {
+  std::vector<of_scene::Inertia<>> levels;
+  for (std::size_t l = 0; l < body.levels.size(); ++l) {
+    if (l > 0) masses = coarsened_masses(masses, body.levels[l - 1].parents, body.levels[l].mesh.nodes);
+    levels.push_back(InertiaOver<of_scene::Inertia<>>(masses, l == 0));
+  }
+  of_scene::Inertia<>& inertia = levels.front();
   std::mt19937_64 random(4);
   std::normal_distribution<double> speed(0, 0.05);
   for (index_t n = 0; n < inertia.velocities.size(); ++n) {
     for (int k = 0; k < 3; ++k) inertia.velocities.view()[n].v()[k] = speed(random);
   }
   inertia.measured.view()[0].elastic() = 0;
-  return inertia;
+  return levels;
 }
 
 struct ImplicitSteps : NothingBesides {
-  bool is_first;  ///< whether this rank prints
-  of_scene::Inertia<> inertia;
-  SolverSettings settings = settings_of_the_cube();
-  of_scene::Inertia<> whole{};  ///< where `inertia` is a rank's part of it
+  bool is_first;                             ///< whether this rank prints
+  std::vector<of_scene::Inertia<>> inertia;  ///< of each level
+  SolverSettings settings;
+  std::vector<of_scene::Inertia<>> whole{};  ///< where `inertia` is a rank's part of it
 
   template <class On, class Groups>
   NewtonResult solve(On& on, Groups& groups, const Report& report) {
@@ -50,7 +59,7 @@ struct ImplicitSteps : NothingBesides {
       result = scenes::implicit_dynamics::program(on, groups.body, groups.patches, groups.chunk, groups.levels, inertia,
                                                   groups.krylov, material_of_the_cube(settings), settings, groups.facts,
                                                   step);
-      const auto measured = on.value(inertia.measured);
+      const auto measured = on.value(inertia.front().measured);
       if (is_first) std::printf("status %d kinetic %a\n", static_cast<int>(result.status), double{measured.kinetic});
       report({.number = k,
               .residual = result.residual,
@@ -64,29 +73,34 @@ struct ImplicitSteps : NothingBesides {
   }
 
   void add_to(DistributedArrays& arrays) {
-    whole = std::exchange(inertia, {});
-    arrays.add_set("moving_node", whole.velocities.size());
+    whole = std::exchange(inertia, std::vector<of_scene::Inertia<>>(inertia.size()));
+    arrays.add_set("moving_node", whole.front().velocities.size());
     arrays.same_set("moving_node", "node");
-    arrays.add("inertia.masses", "node", inertia.masses.contents());
-    arrays.add("inertia.centres", "moving_node", inertia.centres);
-    arrays.add("inertia.velocities", "moving_node", inertia.velocities);
+    arrays.add("inertia.centres", "moving_node", inertia.front().centres);
+    arrays.add("inertia.velocities", "moving_node", inertia.front().velocities);
+    for (std::size_t l = 0; l < inertia.size(); ++l) {
+      const std::string number = "[" + std::to_string(l) + "].";
+      arrays.add("inertia" + number + "masses", "level" + number + "node", inertia[l].masses.contents());
+    }
   }
   void fill(DistributedArrays& arrays) {
-    arrays.fill(inertia.masses.contents(), whole.masses);
-    arrays.fill(inertia.velocities, whole.velocities);
-    inertia.measured = whole.measured;
+    for (std::size_t l = 0; l < inertia.size(); ++l) arrays.fill(inertia[l].masses.contents(), whole[l].masses);
+    arrays.fill(inertia.front().velocities, whole.front().velocities);
+    inertia.front().measured = whole.front().measured;
   }
   template <class Each>
   void print(const Digests<Each>& digests) const {
-    digests.print("velocities", inertia.velocities, [](const auto& node, int k) -> double { return node.v()[k]; });
+    digests.print("velocities", inertia.front().velocities,
+                  [](const auto& node, int k) -> double { return node.v()[k]; });
   }
 };
 
-void run(const Ranks& ranks, Index cells, bool is_ordinary) {
-  const Body body = pressed_cube(cells, true);
+void run(const Ranks& ranks, Index cells, std::size_t levels, bool is_ordinary) {
+  const Body body = pressed_cube(cells, true, levels);
   const MeshLevel& level = body.levels.front();
   const std::vector<double> masses = lumped_masses(level.mesh, level.rest, density);
-  ImplicitSteps steps{{}, ranks.is_first(), whole_inertia(masses)};
+  ImplicitSteps steps{{}, ranks.is_first(), whole_inertia(body, masses), settings_of_the_cube()};
+  if (levels > 1) steps.settings.newton.preconditioner.kind = Preconditioner::multigrid;
   SceneGroups<of_scene::Body<>, of_scene::Patches<>, of_scene::Chunk<>, of_scene::Level<>, of_scene::Krylov<>> whole(
       body, steps.settings);
   whole.facts.node_stiffness =
@@ -98,7 +112,8 @@ void run(const Ranks& ranks, Index cells, bool is_ordinary) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_as_asked(argc, argv, [](const Ranks& ranks, Index cells, bool /*patches*/, bool ordinary) {
-    run(ranks, cells, ordinary);
+  const auto levels = static_cast<std::size_t>(asked(argc, argv, "--levels", 1));
+  return run_as_asked(argc, argv, [levels](const Ranks& ranks, Index cells, bool /*patches*/, bool ordinary) {
+    run(ranks, cells, levels, ordinary);
   });
 }

@@ -25,28 +25,26 @@ TEST(LevelsThatAreCut, are_the_finest_and_those_that_are_large_for_the_ranks) {
   EXPECT_EQ(levels_that_are_cut(graphs_of({357911, 50654, 6859}), 2), 2U);
   EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 40000}), 2, 30000), 3U);
   EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 20000, 117649}), 2), 1U) << "none below one that is not";
+  std::vector<LevelGraph> on_grid = graphs_of({912673, 117649, 117649});
+  on_grid[2].is_grid = true;
+  EXPECT_EQ(levels_that_are_cut(on_grid, 2, 30000), 2U) << "none of a background grid";
 }
 
-TEST(Levels, of_a_background_grid_are_refused) {
+TEST(Levels, of_a_background_grid_are_not_cut) {
   int argc = 0;
   char** argv = nullptr;
   const Ranks ranks(argc, argv);
-  for (const bool is_grid : {true, false}) {
-    DistributedArrays arrays(ranks, {});
-    std::vector<LevelGraph> graphs = graphs_of({8, 4});
-    graphs[1].is_grid = is_grid;
-    if (!is_grid) graphs[1].grid_parents.resize(4);
-    std::vector<std::unique_ptr<Level>> levels(2);
-    for (auto& level : levels) level = std::make_unique<Level>(Level::Own());
-    try {
-      add_levels(arrays, levels, std::span<const LevelGraph>(graphs), 1);
-      FAIL() << "accepted";
-    } catch (const Error& error) {
-      EXPECT_STREQ(
-          error.what(),
-          "physgen: level 1 lies in a background grid, which several ranks do not have; give meshes that halve "
-          "each other's cells");
-    }
+  DistributedArrays arrays(ranks, {});
+  std::vector<LevelGraph> graphs = graphs_of({8, 4});
+  graphs[1].is_grid = true;
+  std::vector<std::unique_ptr<Level>> levels(2);
+  for (auto& level : levels) level = std::make_unique<Level>(Level::Own());
+  try {
+    add_levels(arrays, levels, std::span<const LevelGraph>(graphs), 2);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "physgen: level 1 is one of a background grid, which all ranks have; cut the levels above it alone");
   }
 }
 

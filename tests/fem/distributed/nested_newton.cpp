@@ -10,15 +10,11 @@
 //   --steps N      of Newton's method at most
 //   --without N    row N of those that the scene's table lacks says nothing; --rows 1 lists them
 //   --ordinary 1   one process by the solver's ordinary way
-#include <fem/solver/loads/loading_arrays.h>
 #include <quasistatic.halos.h>
 #include <quasistatic.scene.h>
 #include <scenes/quasistatic.h>
 
-#include <algorithm>
-#include <utility>
-
-#include "newton_runs.h"
+#include "coarser_meshes.h"
 
 namespace {
 
@@ -27,7 +23,6 @@ using namespace physgen::fem;
 namespace of_scene = scenes::quasistatic_scene;
 using Whole = SceneGroups<of_scene::Body<>, NoArrays, of_scene::Chunk<>, of_scene::Level<Host, float, StoredInHalf>,
                           of_scene::Krylov<>>;
-using Mesh = CoarserMesh<of_scene::Body<>, of_scene::Chunk<>, of_scene::Krylov<>>;
 
 struct Options {
   int percent, nested, replicate, steps, without;
@@ -51,23 +46,10 @@ struct Options {
   }
 };
 
-/// The meshes below the finest on which equilibrium is sought, each with the loading that it has of the finest.
-std::vector<Mesh> coarser_meshes(Body body, const SolverSettings& settings) {
-  const std::size_t solved = used_levels(settings, body.levels.size(), body.levels.size()).solved;
-  std::vector<Mesh> meshes;
-  while (meshes.size() + 1 < solved) {
-    coarsen_loading(body.levels.front().parents, body.levels[1].mesh.nodes, body.loading.motion, body.loading.forces);
-    body.levels.erase(body.levels.begin());
-    Whole whole(body, settings);
-    meshes.push_back({std::move(whole.body), std::move(whole.chunk), std::move(whole.krylov), std::move(whole.facts)});
-  }
-  return meshes;
-}
-
 struct PressedCube : NothingBesides {
   const Options& options;
-  bool is_first;                       ///< whether this rank prints
-  std::vector<Mesh> coarser, whole{};  ///< where `coarser` are a rank's parts of them
+  bool is_first;  ///< whether this rank prints
+  CoarserParts<CoarserMeshOf<Whole>> coarser;
   SolverSettings settings = options.settings();
   std::size_t levels_cut = 1;
 
@@ -78,7 +60,7 @@ struct PressedCube : NothingBesides {
         on, settings, material_of_the_cube(settings), groups.facts,
         SolverGroups{groups.body, groups.patches, none, groups.chunk, groups.levels, none, none, none, none,
                      groups.krylov},
-        coarser);
+        coarser.parts);
     return solver.solve_to(1, [&](std::size_t level, const NewtonStep& step) {
       if (is_first) std::printf("level %zu\n", level);
       report(step);
@@ -93,43 +75,18 @@ struct PressedCube : NothingBesides {
   void change(std::vector<HaloUse>& rows) const {
     if (options.without >= 0) rows.at(std::size_t(options.without)).access = {};
   }
-  void add_to(DistributedArrays& arrays) {
-    whole = std::exchange(coarser, std::vector<Mesh>(coarser.size()));
-    for (std::size_t k = 0; k < coarser.size(); ++k) {
-      const std::string number = "[" + std::to_string(k + 1) + "]", level = "level" + number, tet = "tet" + number;
-      if (k + 1 < levels_cut) {
-        arrays.add_set(tet, whole[k].body.tets.size());
-        arrays.follow(tet, level + ".node");
-      } else {
-        arrays.add_replicated_set(tet, whole[k].body.tets.size());
-      }
-      add_mesh(arrays, number, {level + ".node", tet, tet, tet}, coarser[k].body, coarser[k].chunk, coarser[k].krylov,
-               whole[k].body);
-      add_edge_tets(arrays, number, level + ".edge", tet, coarser[k].body, whole[k].body);
-    }
-  }
-  void fill(DistributedArrays& arrays) {
-    for (std::size_t k = 0; k < coarser.size(); ++k) {
-      Mesh& mesh = coarser[k];
-      fill_mesh(arrays, mesh.body, mesh.krylov, whole[k].body);
-      mesh.facts.rounding_force = whole[k].facts.rounding_force;
-      mesh.facts.moves = whole[k].facts.moves;
-      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
-    }
-  }
+  void add_to(DistributedArrays& arrays) { coarser.add_to(arrays, levels_cut); }
+  void fill(DistributedArrays& arrays) { coarser.fill(arrays); }
   template <class Each>
   void print(const Digests<Each>& digests) const {
-    for (const Mesh& mesh : coarser) {
-      digests.print("coarser positions", mesh.body.positions,
-                    [](const auto& node, int k) -> double { return node.x()[k]; });
-      digests.print("coarser forces", mesh.body.forces, [](const auto& node, int k) -> double { return node.f()[k]; });
-    }
+    coarser.print(digests);
   }
 };
 
 void run(const Ranks& ranks, const Options& options, Index cells, bool is_ordinary) {
   const Body body = pressed_cube(cells, false, 16);
-  PressedCube cube{{}, options, ranks.is_first(), coarser_meshes(body, options.settings())};
+  const auto note = [](const Whole& /*whole*/, const Body& /*body*/) {};
+  PressedCube cube{{}, options, ranks.is_first(), {coarser_meshes<Whole>(body, options.settings(), note)}};
   Whole whole(body, options.settings());
   if (is_ordinary) return run_ordinary(whole, cube);
   run_on_ranks(ranks, of_scene::halos, whole, cube);

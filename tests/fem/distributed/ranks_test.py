@@ -110,7 +110,7 @@ def in_one_process(name, cells, *options):
     wanted, steps, _, chunks = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options, "--ordinary", "1"))
     print(name, "\n".join(wanted))
     assert len(steps) >= 3 and "result status 0" in "\n".join(wanted)
-    assert all(step["iterations"] > 3 for step in steps), steps
+    assert all(step["iterations"] > 1 for step in steps), steps
     if cells == "20":
         assert chunks == ["chunks 3"], chunks
     found, _, _, _ = newton(run(program(f"{name}_without_mpi"), "--cells", cells, *options))
@@ -160,40 +160,76 @@ def newton_by_tets_has_the_bits_of_one_process():
 
 
 def implicit_steps_have_the_bits_of_one_process():
-    """The same of steps of backward Euler: also of velocities, and of the kinetic energy of each."""
-    for cells, counts in (("20", (2, 4)), ("3", (4,))):
-        wanted, _ = in_one_process("implicit_steps", cells)
+    """The same of steps of backward Euler, with block Jacobi and with multigrid: also of velocities, and of the kinetic energy of each."""
+    for cells, options, counts in (("20", (), (2, 4)), ("3", (), (4,)), ("20", ("--levels", "3"), (2, 3))):
+        wanted, _ = in_one_process("implicit_steps", cells, *options)
         assert sum(line.startswith("status 0 kinetic 0x") for line in wanted) == 3, wanted
         for count in counts:
-            on_ranks(count, "implicit_steps", wanted, "--cells", cells)
+            on_ranks(count, "implicit_steps", wanted, "--cells", cells, *options)
 
 
 def contact_has_the_bits_of_one_process():
-    """The same of rigid planes that push a body: also of the force and depth of each plane."""
-    for cells, counts in (("20", (2, 4)), ("3", (4,))):
-        wanted, _ = in_one_process("contact", cells)
+    """The same of rigid planes that push a body, also where meshes are nested: also of the force and depth of each plane."""
+    for cells, options, meshes, counts in (("20", (), 1, (2, 4)), ("3", (), 1, (4,)), ("16", ("--levels", "4"), 2, (3,)),
+                                           ("24", ("--levels", "4", "--replicate", "2000"), 2, (2,))):
+        wanted, steps = in_one_process("contact", cells, *options)
         forces = [float.fromhex(line.split()[2]) for line in wanted if line.startswith("plane force ")]
-        assert len(forces) == 2 and min(forces) > 0, wanted
+        assert len(forces) == 2 * meshes and min(forces) > 0, wanted
         for count in counts:
-            on_ranks(count, "contact", wanted, "--cells", cells)
+            traffic = on_ranks(count, "contact", wanted, "--cells", cells, *options)
+            if options:
+                expect_traffic_of_levels(steps, traffic, nested=1, planes=1, cut=2 if "--replicate" in options else 1)
+    status, output, errors, _ = run(program("contact_without_mpi"), "--cells", "8", "--levels", "3", "--planes", "1", "--ordinary", "1")
+    assert status != 0 and "some levels have planes, and others have none; give a group of them for each level" in errors, output + errors
 
 
-def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0):
+def background_grid_has_the_bits_of_one_process():
+    """The same of a mesh that has no coarser ones, on a background grid."""
+    for cells, counts in (("20", (2, 3)), ("6", (4,))):
+        wanted, steps = in_one_process("background_grid", cells)
+        for count in counts:
+            traffic = on_ranks(count, "background_grid", wanted, "--cells", cells)
+            if cells == "20":
+                expect_traffic_of_levels(steps, traffic, grid=1)
+
+
+def nested_iteration_from_a_cut_mesh_has_the_bits_of_one_process():
+    """Nested iteration begins from a coarser mesh of which ranks have parts, too: of several blocks each, or of one that one rank owns."""
+    for cells, replicate, counts in (("40", "9000", (2,)), ("24", "2000", (3,)), ("16", "700", (4,))):
+        wanted, steps = in_one_process("nested_newton", cells)
+        assert {step["level"] for step in steps} >= {0, 1}, steps
+        for count in counts:
+            traffic = on_ranks(count, "nested_newton", wanted, "--cells", cells, "--replicate", replicate)
+            expect_traffic_of_levels(steps, traffic, cut=2, half=1, nested=1)
+    # Without the row of the coarser mesh's gradients the motion is poisoned, and the finer mesh begins on straight lines.
+    rows = run(program("nested_newton_without_mpi"), "--rows", "1")[1].splitlines()
+    number = next(line.split()[0] for line in rows if line.endswith("InterpolateMotion 6 f reads others"))
+    found, _, _, _ = newton(ranks(2, "nested_newton", "--cells", cells, "--replicate", replicate, "--without", number))
+    assert found != wanted, found
+
+
+def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0, planes=0, grid=0):
     """The V-cycle in place of block Jacobi. Each level that is cut has six exchanges in each preconditioning, one less where no product is
     before it, and the finest one that is not cut a residual that all ranks are given. Before the first, each has the scales of nodes, what is
     coarsened of nodes, the vectors of two power iterations, or of nine besides the first, whose length is measured twice then, in half the
     inverses of scales, and below the finest the blocks of edges. A motion that is interpolated crosses, for the ghosts that its first two
-    readers need one after the other, and its least volume is measured."""
+    readers need one after the other, and its least volume is measured; where the coarser mesh is cut, too, what its gradients are of crosses
+    before, and its motion with these. A coarser mesh that is cut needs one exchange more in its first step, for what other ghosts need.
+    The nodes' blocks of planes cross on each level, and are given to all; so is what resists translations on a background grid."""
+    coarsest = max(step["level"] for step in steps)
     for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
-        if step["level"] >= cut:
+        levels = cut - step["level"]
+        if levels <= 0:
             assert (exchanges, gathers) == (0, 0), step
             continue
         if step["filtered"]:  # more solves than one
             continue
         first = step["step"] == 1
-        begins = nested * first
-        assert exchanges == cut * (6 * (step["iterations"] + 1) + 4 + half + 7 * first) + patches + 2 * begins, (step, exchanges)
-        assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + cut * (2 + first) + begins, (step, gathers)
+        begins = nested * first * (step["level"] < coarsest)
+        beside = patches + (2 if levels == 1 else 4) * begins + (first and step["level"] > 0) + grid * (1 + first)
+        assert exchanges == levels * (6 * (step["iterations"] + 1) + 4 + half + planes + 7 * first) + beside, (step, exchanges)
+        of_levels = levels * (2 + first) + planes + grid
+        assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + of_levels + begins, (step, gathers)
 
 
 def multigrid_in_newton_has_the_bits_of_one_process():
@@ -216,8 +252,6 @@ def multigrid_in_newton_has_the_bits_of_one_process():
         number = next(line.split()[0] for line in rows if line.endswith(row))
         status, output, errors, _ = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
         assert status == 0 and re.search(r"\brz -?nan\b", output) and "result status 0" not in output, f"without {row}: {output}{errors}"
-    status, output, errors, _ = ranks(2, "nested_newton", "--cells", "16", "--replicate", "700")
-    assert status != 0 and "InterpolateMotion reads body[1].node_tet_ranges" in errors and "follows no set" in errors, output + errors
 
 
 def the_solver_of_several_ranks_has_the_bits_of_one_process():

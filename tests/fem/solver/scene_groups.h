@@ -5,6 +5,7 @@
 #include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/solvers/solver_program.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct SceneGroups {
     where(mesh.patches, [&](auto& over) { patches = std::move(over); });
     chunk = std::move(*mesh.chunk_arrays);
     graphs = make_level_graphs(used.levels, Choices::assembled);
+    if (const auto grid = std::ranges::find_if(graphs, &LevelGraph::is_grid); grid != graphs.end()) {
+      facts.meshes = static_cast<std::size_t>(grid - graphs.begin());
+    }
     for (auto& level : make_linear_levels<Level>(used, settings)) {
       facts.sums.push_back(std::move(level->sums));
       levels.push_back(std::move(*level));

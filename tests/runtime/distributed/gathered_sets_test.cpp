@@ -17,6 +17,8 @@ class GatheredSets : public Steps {
     arrays.add("b.anchors", "group", anchors);
     arrays.connect(anchors, "nodes", "node", [](index_t group) { return std::array{10 * group, 10 * group + 9}; });
     arrays.connect(homes, "nodes", "group", [](index_t node) { return std::array{node / 10, node % 10}; });
+    arrays.add("b.twins", "node", twins);
+    arrays.connect(twins, "nodes", "node", [](index_t node) { return std::array{node, 99 - node}; });
     arrays.connect_rows(group_ranges, "b.members", members, "element", "node", [](index_t group) {
       std::vector<elasticity::Incidence<float>> row(2);
       for (std::size_t k = 0; k < 2; ++k) row[k].element = static_cast<std::int32_t>(10 * group) + static_cast<int>(k);
@@ -33,7 +35,7 @@ class GatheredSets : public Steps {
   elasticity::NodeForceArray<float> totals;
   elasticity::IncidenceRangeArray<float> group_ranges;
   elasticity::IncidenceArray<float> members;
-  elasticity::EdgeArray<float> homes, anchors;
+  elasticity::EdgeArray<float> homes, anchors, twins;
 };
 
 TEST_F(GatheredSets, are_computed_in_parts_where_a_kernel_reads_parts) {
@@ -83,6 +85,13 @@ TEST_F(GatheredSets, give_their_rows_to_no_other_set) {
   EXPECT_EQ(step("AddsTotals", {of(group_ranges.const_view()), of(totals.view())}, 10),
             "physgen: AddsTotals writes b.totals.f of other objects than that of its call, which all ranks have: they "
             "would differ; reduce instead");
+}
+
+TEST_F(GatheredSets, are_named_by_ghosts_as_by_others) {
+  EXPECT_EQ(step("NamesOfEnds", {of(edges.const_view()), of(homes.const_view())}, 60), "0 to 60");
+  EXPECT_EQ(step("NamesOfEnds", {of(edges.const_view()), of(twins.const_view())}, 60),
+            "physgen: NamesOfEnds reads b.twins.nodes of other objects, whose set node follows no set, so that ranks "
+            "have neither their rows nor all that they name; let it follow one");
 }
 
 TEST_F(GatheredSets, give_out_no_numbers_that_one_rank_knows) {

@@ -46,10 +46,24 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
     now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
   }
+  elasticity::NodePositionArray<double> along_x(coarse_nodes);
+  elasticity::NodeForceArray<double> along_y(coarse_nodes);
+  elasticity::NodeDisplacementArray<double> along_z(coarse_nodes);
+  const NodeMatrices gradients{along_x.view(), along_y.view(), along_z.view()};
+  for (index_t n = 0; n < coarse_nodes; ++n) {
+    gradients.first.put(n, {{NAN, NAN, NAN}});
+    gradients.second.put(n, {{NAN, NAN, NAN}});
+    gradients.third.put(n, {{NAN, NAN, NAN}});
+  }
+  if (bends) {
+    parallel_for(Host{}, coarse_nodes,
+                 lanes<1>(AverageMotionGradients{node_tets, tets.const_view(), rest.const_view(), before.const_view(),
+                                                 now.const_view(), gradients}));
+  }
   parallel_for(Host{}, fine_nodes,
-               lanes<1>(InterpolateMotion{bends, parents.const_view(), fine_rest.const_view(), node_tets,
-                                          tets.const_view(), rest.const_view(), before.const_view(), now.const_view(),
-                                          constraints.const_view(), positions.view()}));
+               lanes<1>(InterpolateMotion{bends, parents.const_view(), fine_rest.const_view(), rest.const_view(),
+                                          before.const_view(), now.const_view(), gradients, constraints.const_view(),
+                                          positions.view()}));
   std::vector<Point> result(std::size_t(fine_nodes), Point{});
   for (index_t n = 0; n < fine_nodes; ++n) {
     const auto x = positions.view().get(n).x;

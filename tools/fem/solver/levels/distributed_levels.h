@@ -25,12 +25,15 @@ namespace physgen::fem {
 /// Coarser levels of so many nodes, those of a cube of 36^3 cells, stand on every rank.
 inline constexpr index_t replicated_nodes = 50653;
 
-/// The number of levels that are cut: the finest, and those below it that have more nodes than `replicated`, and eight
+/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, and eight
 /// blocks a rank. @param graphs finest first
 [[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> graphs, int ranks,
                                                      index_t replicated = replicated_nodes) {
   std::size_t cut = 1;
-  while (cut < graphs.size() && graphs[cut].nodes > replicated && graphs[cut].nodes >= 8 * Runs::block * ranks) ++cut;
+  const auto is_large = [&](const LevelGraph& graph) {
+    return !graph.is_grid && graph.nodes > replicated && graph.nodes >= 8 * Runs::block * ranks;
+  };
+  while (cut < graphs.size() && is_large(graphs[cut])) ++cut;
   return cut;
 }
 
@@ -66,9 +69,13 @@ template <class Packing>
 template <class Level>
 void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGraph& graph, std::size_t l) {
   const auto nodes = index_t{graph.nodes}, edges = static_cast<index_t>(graph.edges.size());
-  const std::string node = level_name(l, "node"), edge = level_name(l, "edge");
-  arrays.connect(contents_of(level.parents), "nodes", level_name(l + 1, "node"),
-                 [&graph](index_t n) { return graph.parents[at(n)]; });
+  const std::string node = level_name(l, "node"), edge = level_name(l, "edge"), coarse = level_name(l + 1, "node");
+  if (graph.grid_parents.empty()) {
+    arrays.connect(contents_of(level.parents), "nodes", coarse, [&graph](index_t n) { return graph.parents[at(n)]; });
+  } else {
+    arrays.connect(contents_of(level.grid_parents), "nodes", coarse,
+                   [&graph](index_t n) { return graph.grid_parents[at(n)].nodes; });
+  }
   arrays.connect_rows(contents_of(level.child_ranges), level_name(l, "child_entries"), contents_of(level.child_entries),
                       "code", node, packed_row_of<ChildEntry>(graph.children, nodes, "nodes"), ChildEntry::bits);
   arrays.connect_rows(contents_of(level.edge_term_ranges), level_name(l, "edge_term_entries"),
@@ -85,16 +92,15 @@ void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGrap
 /// Tells which arrays levels have, and what names what. Before cut().
 /// @param levels pointers to groups of Level in solver_groups.h, without objects, finest first
 /// @param graphs of them, all of each; they outlive cut()
-/// @param cut the finest so many are cut
-/// @throw Error when one of them is of a background grid, has more edges than lists can number, or was only counted
+/// @param cut the finest so many are cut, none of them of a background grid
+/// @throw Error when such a one is, when one has more edges than lists can number, or was only counted
 template <class Levels>
 void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const LevelGraph> graphs, std::size_t cut) {
   for (std::size_t l = 0; l < graphs.size(); ++l) {
     const auto nodes = index_t{graphs[l].nodes}, edges = static_cast<index_t>(graphs[l].edges.size());
-    if (graphs[l].is_grid || !graphs[l].grid_parents.empty()) {
-      throw Error(
-          "level " + std::to_string(l) +
-          " lies in a background grid, which several ranks do not have; give meshes that halve each other's cells");
+    if (l < cut && graphs[l].is_grid) {
+      throw Error("level " + std::to_string(l) +
+                  " is one of a background grid, which all ranks have; cut the levels above it alone");
     }
     const auto add_set = [&](const char* name, index_t size) {
       l < cut ? arrays.add_set(detail::level_name(l, name), size)
@@ -133,8 +139,13 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
         contents_of(level.node_edge_entries), "code", edge,
         detail::packed_row_of<NodeEdgeEntry>(graph.node_edges, static_cast<index_t>(graph.edges.size()), "edges"),
         NodeEdgeEntry::bits);
+    if (graph.is_grid || !graph.grid_parents.empty()) add("translations", node, level.translations);
     if (l + 1 < graphs.size()) {
-      add("parents", node, level.parents);
+      if (graph.grid_parents.empty()) {
+        add("parents", node, level.parents);
+      } else {
+        add("parents", node, level.grid_parents);  // which the table means by that name, too
+      }
       add("child_ranges", detail::level_name(l + 1, "node"), level.child_ranges);
       add("edge_term_ranges", detail::level_name(l + 1, "edge"), level.edge_term_ranges);
       detail::connect_to_coarser(arrays, level, graph, l);
@@ -144,7 +155,8 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
   }
 }
 
-/// Fills in constraints. Behind cut(). @return the lists that products of each level go by
+/// Fills in constraints, and weights in a background grid. Behind cut(). @return the lists that products of each level
+/// go by
 template <class Levels>
 [[nodiscard]] std::vector<EdgeSums> fill_levels(DistributedArrays& arrays, const Levels& levels,
                                                 std::span<const LevelGraph> graphs) {
@@ -156,6 +168,16 @@ template <class Levels>
       value.fixed = graphs[l].fixed[at(node)];
       return value;
     });
+    if (!graphs[l].grid_parents.empty()) {
+      arrays.fill(contents_of(level.grid_parents), [&](index_t node) {
+        typename std::remove_cvref_t<decltype(level.grid_parents)>::Value value{};
+        for (int k = 0; k < 4; ++k) {
+          value.weights[k] = static_cast<std::remove_cvref_t<decltype(value.weights[k])>>(
+              graphs[l].grid_parents[at(node)].weights[at(k)]);
+        }
+        return value;
+      });
+    }
     // Of the edges that are here; objects before the first and behind the last stand for none.
     const LocalSet& edges = arrays.objects_of(contents_of(level.edges));
     std::vector<std::array<Index, 2>> ends(static_cast<std::size_t>(edges.size()));

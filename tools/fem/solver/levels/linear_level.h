@@ -37,8 +37,9 @@ struct LevelOver : Group {
   using Choices = Choices_;
   using Own = Group;  ///< without what it may have besides
 
-  bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
-  bool is_grid = false;   ///< a level of a background grid
+  bool assembled = true;      ///< else there are no edges, and what else MatrixFree does not ask for
+  bool is_grid = false;       ///< a level of a background grid
+  bool lies_in_grid = false;  ///< the next coarser level is the finest of one
   EdgeSums sums;
   EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each of their entries
   Optional<Extra> extra;      ///< of the preconditioner that is used
@@ -55,6 +56,7 @@ struct LevelOver : Group {
   /// With an assembled stiffness. @param graph whole, or counted; so `coarser`, the next level, or null
   LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
       : is_grid(graph.is_grid),
+        lies_in_grid(!graph.grid_parents.empty()),
         sums(graph.nodes, graph.edges, Space::kind, sizeof(Real), SumOrder::any),
         rows(has_rows(graph.nodes) ? EdgeRows(as_mesh(graph), Space::kind) : EdgeRows()) {
     const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());

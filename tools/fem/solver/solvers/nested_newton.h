@@ -94,15 +94,20 @@ class NestedNewton : protected SolverParts<On, Types> {
     on_->run(a.nodes(), ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(),
                                          level.constraints.const_view(), a.positions.const_view(), a.increment.view()});
   }
+  /// Of the motion from where the load increment began.
+  void average_gradients(Arrays& a) {
+    on_->run(a.nodes(), AverageMotionGradients{a.node_tets.const_view(), a.tets.const_view(), a.rest.const_view(),
+                                               a.kept.const_view(), a.positions.const_view(), node_matrices(a)});
+  }
   /// Moves positions, which are kept, by what the next coarser level has moved, and prescribed components to a load.
   void begin_from_coarser(std::size_t l, double load, bool bends) {
     Arrays& a = *arrays_[l];
     const Arrays& coarse = *arrays_[l + 1];
     const Level& level = *linear_[l];
     on_->run(a.nodes(),
-             InterpolateMotion{bends, level.parents.const_view(), a.rest.const_view(), coarse.node_tets.const_view(),
-                               coarse.tets.const_view(), coarse.rest.const_view(), coarse.kept.const_view(),
-                               coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
+             InterpolateMotion{bends, level.parents.const_view(), a.rest.const_view(), coarse.rest.const_view(),
+                               coarse.kept.const_view(), coarse.positions.const_view(), const_node_matrices(coarse),
+                               level.constraints.const_view(), a.positions.view()});
     find_increment(a, level, load);
     on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
   }
@@ -122,6 +127,7 @@ class NestedNewton : protected SolverParts<On, Types> {
       if (coarsest) {
         find_increment(a, level, load);
       } else {
+        average_gradients(*arrays_[l + 1]);
         begin_from_coarser(l, load, true);
         if (!(smallest_ratio(a) > 0)) {
           on_->run(a.nodes(), KeepPositions{a.kept.const_view(), a.positions.view()});

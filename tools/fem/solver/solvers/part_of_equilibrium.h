@@ -208,6 +208,7 @@ struct PartOfEquilibrium {
   /// One chunk for all tets that are here.
   void note_facts(const Whole& whole) {
     const index_t nodes = body.rest.size(), edges = levels.front().edges.size();
+    facts.meshes = whole.facts.meshes;
     facts.nodes = whole.facts.nodes;
     facts.node_stiffness = whole.facts.node_stiffness;
     facts.plane_stiffness = whole.facts.plane_stiffness;

@@ -7,6 +7,7 @@
 #include <fem/solver/solvers/nested_newton.h>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,20 @@ template <class Group>
 struct EachGroup<std::vector<Group>> {
   using type = Group;
 };
+/// Calls body(l, group) with each, or with the one that there is.
+template <class Group, class Body>
+void for_each_group(Group& group, const Body& body) {
+  body(std::size_t{0}, group);
+}
+template <class Group, class Body>
+void for_each_group(std::vector<Group>& groups, const Body& body) {
+  for (std::size_t l = 0; l < groups.size(); ++l) body(l, groups[l]);
+}
 }  // namespace detail
 
 /// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each. Levels are one
-/// group, or a vector of them, finest first, on the first of which equilibrium is solved; so is inertia, which then has
-/// a group for each level.
+/// group, or a vector of them, finest first, on the first of which equilibrium is solved; so are planes and inertia,
+/// which then have a group for each level of a mesh.
 template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Extra_, class Planes_,
           class Surface_, class Inertia_, class Krylov_>
 struct SolverGroups {
@@ -36,7 +46,8 @@ struct SolverGroups {
   using Levels = Level_;
   using Level = typename detail::EachGroup<Level_>::type;
   using Extra = Extra_;
-  using Planes = Planes_;
+  using AllPlanes = Planes_;
+  using Planes = typename detail::EachGroup<Planes_>::type;
   using Surface = Surface_;
   using Inertias = Inertia_;
   using Inertia = typename detail::EachGroup<Inertia_>::type;
@@ -47,7 +58,7 @@ struct SolverGroups {
   Chunk& chunk;
   Levels& levels;
   Extra& extra;
-  Planes& planes;
+  AllPlanes& planes;
   Surface& surface;
   Inertias& inertia;
   Krylov& krylov;
@@ -84,6 +95,7 @@ struct MeshFacts {
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings
   double node_stiffness = 0;                   ///< of a node, elastic and by inertia, for bodies that move [N/m]
+  std::size_t meshes = 0;                      ///< how many levels are not of a background grid; 0: all
   index_t nodes = 0;                           ///< of all ranks, for bodies that move; 0: those of the arrays
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
@@ -131,18 +143,28 @@ class SolverProgram : private NestedNewton<On, Types> {
     take(a.patches, groups.patches);
     take(a.rings, groups.rings);
     take(a.surface, groups.surface);
-    for_each_level([&](auto& group) {
+    detail::for_each_group(groups.levels, [&](std::size_t l, auto& group) {
       linear_.push_back(std::make_unique<typename Types::Level>(std::move(group)));
       auto& level = *linear_.back();
+      level.is_grid = facts.meshes > 0 && l >= facts.meshes;
+      level.lies_in_grid = l + 1 == facts.meshes;
       level.assembled = settings.newton.product == Product::assembled;
-      if (level.assembled) level.sums = std::move(facts.sums.at(linear_.size() - 1));
+      if (level.assembled) level.sums = std::move(facts.sums.at(l));
     });
     auto& level = *linear_.front();
     take(level.extra, groups.extra);
     where(level.extra, [&](auto& extra) { static_cast<ExtraFacts&>(extra) = facts.extra; });
-    take(level.planes, groups.planes);
-    where(level.planes, [&](auto& planes) { planes.per_area = facts.plane_stiffness; });
-    for_each_inertia([](auto& over, auto& group) { take(over, group); });
+    detail::for_each_group(groups.planes, [&](std::size_t l, auto& group) {
+      auto& planes = linear_.at(l)->planes;
+      take(planes, group);
+      where(planes, [&](auto& over) { over.per_area = facts_of(l).plane_stiffness; });
+    });
+    detail::for_each_group(groups.inertia, [&](std::size_t l, auto& group) { take(linear_.at(l)->inertia, group); });
+    for (auto& each : linear_) {
+      if (each->is_grid) break;
+      require_of_each(linear_.front()->planes, each->planes, "planes");
+      require_of_each(linear_.front()->inertia, each->inertia, "inertia");
+    }
     this->reached_ = false;
   }
   SolverProgram(const SolverProgram&) = delete;
@@ -159,14 +181,13 @@ class SolverProgram : private NestedNewton<On, Types> {
     give_back(a.patches, groups_.patches);
     give_back(a.rings, groups_.rings);
     give_back(a.surface, groups_.surface);
-    std::size_t l = 0;
-    for_each_level([&](auto& group) {
-      if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
-      group = std::move(static_cast<typename Groups::Level&>(*linear_[l++]));
-    });
+    detail::for_each_group(groups_.planes, [&](std::size_t l, auto& group) { give_back(linear_[l]->planes, group); });
+    detail::for_each_group(groups_.inertia, [&](std::size_t l, auto& group) { give_back(linear_[l]->inertia, group); });
     give_back(level.extra, groups_.extra);
-    give_back(level.planes, groups_.planes);
-    for_each_inertia([](auto& over, auto& group) { give_back(over, group); });
+    detail::for_each_group(groups_.levels, [&](std::size_t l, auto& group) {
+      if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
+      group = std::move(static_cast<typename Groups::Level&>(*linear_[l]));
+    });
   }
 
   using Nested::evaluate_stresses;
@@ -191,20 +212,17 @@ class SolverProgram : private NestedNewton<On, Types> {
   static constexpr bool averages(const Group& /*group*/) {
     return !std::is_same_v<Group, NoArrays>;
   }
-  template <class Body>
-  void for_each_level(const Body& body) const {
-    if constexpr (std::is_same_v<typename Groups::Levels, typename Groups::Level>) {
-      body(groups_.levels);
-    } else {
-      for (auto& group : groups_.levels) body(group);
-    }
+  /// Of a level; where equilibrium is not solved on it, those of the finest.
+  const MeshFacts& facts_of(std::size_t l) const {
+    return l > 0 && l < arrays_.size() ? (*coarser_)[l - 1].facts : facts_;
   }
-  template <class Body>
-  void for_each_inertia(const Body& body) const {
-    if constexpr (std::is_same_v<typename Groups::Inertias, typename Groups::Inertia>) {
-      body(linear_.front()->inertia, groups_.inertia);
-    } else {
-      for (std::size_t l = 0; l < groups_.inertia.size(); ++l) body(linear_[l]->inertia, groups_.inertia[l]);
+  /// @throw Error when the finest level has arrays that another has not
+  template <class Arrays>
+  static void require_of_each(const Arrays& finest, const Arrays& of_level, const char* what) {
+    if constexpr (may_have<Arrays>) {
+      if ((finest == nullptr) == (of_level == nullptr)) return;
+      throw Error(std::string("some levels have ") + what +
+                  ", and others have none; give a group of them for each level");
     }
   }
   void take_mesh(typename Groups::Body& body, typename Groups::Chunk& chunk, typename Groups::Krylov& krylov,
@@ -250,7 +268,7 @@ template <class Real, class Stored, class Choices, class On, class Material, cla
 /// The same, which solves on coarser meshes first: where volumes are not averaged, and no pressures follow the surface.
 template <class Real, class Stored, class Choices, class On, class Material, class Groups, class Mesh>
   requires(std::is_same_v<typename Groups::Patches, NoArrays> && std::is_same_v<typename Groups::Rings, NoArrays> &&
-           std::is_same_v<typename Groups::Surface, NoArrays> && std::is_same_v<typename Groups::Planes, NoArrays>)
+           std::is_same_v<typename Groups::Surface, NoArrays>)
 [[nodiscard]] auto solver_program(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts,
                                   const Groups& groups, std::vector<Mesh>& coarser) {
   return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,

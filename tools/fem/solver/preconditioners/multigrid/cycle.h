@@ -78,11 +78,11 @@ PHYSGEN_FUNCTION void interpolate_correction(On& on, Level& level, Level& coarse
 
 }  // namespace detail
 
-/// Whether the next coarser level is one of a background grid.
+/// Whether the next coarser level is the finest of a background grid. A rank may have no node of those that lie in it.
 PHYSGEN_PROGRAM
 template <class Level>
 [[nodiscard]] PHYSGEN_FUNCTION bool lies_in_grid(const Level& level) {
-  return Level::Choices::grids && level.grid_parents.size() != 0;
+  return Level::Choices::grids && level.lies_in_grid;
 }
 
 /// r of the next coarser level, of what smoothing has left.

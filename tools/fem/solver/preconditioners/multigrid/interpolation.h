@@ -57,7 +57,7 @@ struct InGrid {
 template <class Level, class Use>
 void with_interpolation(const Level& level, const Use& use) {
   if constexpr (Level::Choices::grids) {
-    if (level.grid_parents.size() != 0) return use(InGrid{level.grid_parents.const_view()});
+    if (level.lies_in_grid) return use(InGrid{level.grid_parents.const_view()});
   }
   use(HalfWay{level.parents.const_view()});
 }

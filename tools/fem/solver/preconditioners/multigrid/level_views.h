@@ -35,6 +35,7 @@ struct LevelViews {
   template <class Rows>
   using OfRows = ArrayViews<typename Rows::ConstView, typename Rows::ConstView>;
 
+  bool lies_in_grid;
   Of<decltype(Level::constraints)> constraints;
   EdgeRows::View rows;
   Of<decltype(Level::scales)> scales;
@@ -51,7 +52,8 @@ struct LevelViews {
   Of<decltype(Level::coarse_inverse)> coarse_inverse;
 
   explicit LevelViews(Level& level)
-      : constraints(level.constraints),
+      : lies_in_grid(level.lies_in_grid),
+        constraints(level.constraints),
         rows(level.rows.view()),
         scales(level.scales),
         scaled_nodes(level.scaled_nodes),
