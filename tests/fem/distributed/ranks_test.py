@@ -260,6 +260,8 @@ def the_solver_of_several_ranks_has_the_bits_of_one_process():
     for cells, counts, *options in (
             ("20", (1, 3), "--patches", "1", "--percent", "49"),
             ("20", (2, 4)),
+            ("24", (2, 3), "--replicate", "1000"),  # meshes of 12^3 cells are cut, too
+            ("24", (3,), "--patches", "1", "--percent", "49", "--replicate", "1000"),
             ("16", (2,), "--patches", "1", "--percent", "49", "--restored", "1"),
             ("16", (3,), "--restored", "1"),
             ("16", (2,), "--patches", "1", "--nested", "0"),

@@ -5,6 +5,7 @@
 //   --percent N       Poisson's ratio (default 45)
 //   --preconditioner  multigrid, block-jacobi or none
 //   --nested 0        on one mesh
+//   --replicate N     coarser meshes of more nodes are cut, too
 //   --restored 1      a second solver goes on behind the first load
 //   --ordinary 1      by the ordinary solver of the scene, in one process
 #include <fem/solver/solvers/scene_solvers.h>
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,12 +62,15 @@ int main(int argc, char** argv) {
   for (const PreconditionerRow& row : preconditioner_rows) {
     if (preconditioner == row.name) settings.newton.preconditioner.kind = row.kind;
   }
+  const int most_nodes = asked(argc, argv, "--replicate", 0);
+  const auto replicated = most_nodes > 0 ? std::optional<index_t>(most_nodes) : std::nullopt;
   const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
   return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
     const Body body = pressed_cube(cells, patches, 16);
     const auto make = [&]() -> std::unique_ptr<EquilibriumSolver> {
       if (ordinary) return make_scene_solver("quasistatic", body.levels, body.loading, settings);
-      return make_solver_on_ranks(ranks, body.levels, body.loading, settings, {.poisons_stale_ghosts = true});
+      return make_solver_on_ranks(ranks, body.levels, body.loading, settings, replicated,
+                                  {.poisons_stale_ghosts = true});
     };
     auto solver = make();
     for (const double load : {0.4, 1.0}) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace physgen::fem {
@@ -60,8 +61,13 @@ struct Whole : Mesh {
       if (l + 1 < solved) coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
     }
   }
-  /// How many levels are cut. Where equilibrium is sought on coarser meshes, too, all ranks have these.
-  [[nodiscard]] std::size_t cut(int ranks) const { return coarser.empty() ? levels_that_are_cut(graphs, ranks) : 1; }
+  /// How many levels are cut, whether or not equilibrium is sought on them.
+  [[nodiscard]] std::size_t cut(int ranks, std::optional<index_t> replicated) const {
+    if (!replicated) return levels_that_are_cut(graphs, ranks);
+    std::size_t cut = 1;
+    while (cut + 1 < graphs.size() && graphs[cut].nodes > *replicated) ++cut;
+    return cut;
+  }
 };
 
 std::string in_brackets(std::size_t k) { return "[" + std::to_string(k) + "]"; }
@@ -73,18 +79,20 @@ struct PartOfRank {
   std::unique_ptr<PartOfEquilibrium<Whole>> finest;
   std::unique_ptr<On> on;
 
-  PartOfRank(const Ranks& ranks, const Whole& whole, const DistributedOptions& options)
+  PartOfRank(const Ranks& ranks, const Whole& whole, std::optional<index_t> replicated,
+             const DistributedOptions& options)
       : coarser(whole.coarser.size()) {
     const InStage stage("parts of ranks");
+    const std::size_t cut = whole.cut(ranks.count(), replicated);
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stressed.of_tets);
-      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole.coarser[k], k);
+      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole.coarser[k], k, k + 1 < cut);
       for (std::size_t k = 0; k < coarser.size(); ++k) {
         add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
                     k == 0 ? whole.patches : whole.coarser[k - 1].patches, k);
       }
     };
-    finest = std::make_unique<PartOfEquilibrium<Whole>>(ranks, table(), whole, whole.cut(ranks.count()), add_more);
+    finest = std::make_unique<PartOfEquilibrium<Whole>>(ranks, table(), whole, cut, add_more);
     finest->facts.all_prescribed = whole.facts.all_prescribed;
     for (std::size_t k = 0; k < coarser.size(); ++k) {
       Mesh& mesh = coarser[k];
@@ -103,17 +111,22 @@ struct PartOfRank {
     static const std::vector<HaloUse> rows = with_halos_of_levels(of_scene::halos);
     return rows;
   }
-  /// Mesh k + 1, which all ranks have.
-  void add(DistributedArrays& arrays, const Mesh& whole, std::size_t k) {
+  /// Mesh k + 1, which is cut, or which all ranks have.
+  void add(DistributedArrays& arrays, const Mesh& whole, std::size_t k, bool is_cut) {
     const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
                       patch = "patch" + number;
     Mesh& mesh = coarser[k];
     const MeshSets sets{level + ".node", tet, tet, tet};
-    arrays.add_replicated_set(tet, whole.body.tets.size());
+    const auto add_set = [&](const std::string& set, index_t size) {
+      if (!is_cut) return arrays.add_replicated_set(set, size);
+      arrays.add_set(set, size);
+      arrays.follow(set, sets.node);
+    };
+    add_set(tet, whole.body.tets.size());
     add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body);
     add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body);
     if (whole.body.volumes.size() == 0) return;
-    arrays.add_replicated_set(patch, whole.body.volumes.size());
+    add_set(patch, whole.body.volumes.size());
     add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches);
     add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches);
   }
@@ -133,8 +146,8 @@ class QuasistaticOnRanks final : public SolverOnRanks, private PartOfRank, priva
 
  public:
   QuasistaticOnRanks(const Ranks& ranks, const Whole& whole, const SolverSettings& settings,
-                     const DistributedOptions& options)
-      : PartOfRank(ranks, whole, options),
+                     std::optional<index_t> replicated, const DistributedOptions& options)
+      : PartOfRank(ranks, whole, replicated, options),
         Nested(*on, settings, Types::make_material(settings, whole.body.volumes.size() > 0), 1 + coarser.size()) {
     take(*finest);
     for (Mesh& mesh : coarser) take(mesh);
@@ -268,6 +281,7 @@ class QuasistaticOnRanks final : public SolverOnRanks, private PartOfRank, priva
 
 std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const std::vector<MeshLevel>& levels,
                                                     const Loading& loading, const SolverSettings& settings,
+                                                    std::optional<index_t> replicated,
                                                     const DistributedOptions& options) {
   require_scene_solver("quasistatic", levels, loading, settings);
   if (levels.front().axes) {
@@ -276,7 +290,7 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
   if (settings.device != Device::cpu) {
     throw Error("the solver runs on several ranks on the CPU alone; choose the device cpu, or start one process");
   }
-  return std::make_unique<QuasistaticOnRanks>(ranks, Whole(levels, loading, settings), settings, options);
+  return std::make_unique<QuasistaticOnRanks>(ranks, Whole(levels, loading, settings), settings, replicated, options);
 }
 
 }  // namespace physgen::fem

@@ -1,5 +1,5 @@
-// The solver on several ranks (runtime/distributed.md): each has a part of the finest mesh, and all have the coarser
-// ones. Equilibria have the bits of one process.
+// The solver on several ranks (runtime/distributed.md): each has a part of the finest mesh and of large coarser ones,
+// and all have the others. Equilibria have the bits of one process.
 #pragma once
 
 #include <fem/solver/quasistatic.h>
@@ -8,6 +8,7 @@
 #include <physgen/distributed/transport.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace physgen::fem {
@@ -29,10 +30,8 @@ class SolverOnRanks : public EquilibriumSolver {
 /// @param levels the same on all ranks, as loading and settings. While this makes its arrays, each rank has those of
 /// the whole mesh, too
 /// @throw Error as make_scene_solver(); and for supports along axes of their own, which one process has
-[[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks,
-                                                                  const std::vector<MeshLevel>& levels,
-                                                                  const Loading& loading,
-                                                                  const SolverSettings& settings,
-                                                                  const DistributedOptions& options = {});
+[[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(
+    const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings,
+    std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
 
 }  // namespace physgen::fem
