@@ -65,6 +65,7 @@ struct Options {
   bool restart = false, dry_run = false, set_up_only = false, timings = false, quiet = false;
   int repetitions = 0;             ///< of all solves, for their time
   int threads = 0;                 ///< of the CPU, see physgen::set_threads()
+  int replicate = 0;               ///< of several ranks: the most nodes of a coarser mesh that is not cut; 0: by itself
   std::vector<std::string> notes;  ///< what a user should know of what was chosen
   std::string help;                ///< what to print where help was asked for
 

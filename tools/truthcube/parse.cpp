@@ -247,6 +247,11 @@ Options parse(const std::vector<std::string>& arguments) {
                  "threads on the CPU; 0: as OMP_NUM_THREADS says, or one for each processor that it may use")
       ->check(whole_number(0, 4096))
       ->type_name("N");
+  app.add_option("--replicate", options.replicate,
+                 "of several ranks: coarser meshes of more than N nodes are cut among them, too; 0: those of more than "
+                 "50653 nodes, and of eight blocks of 2048 nodes a rank")
+      ->check(whole_number(0, 2147483647))
+      ->type_name("N");
   app.add_flag("--timings", options.timings,
                "print what each stage of the set-up takes, beside the bytes that it moves at least");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");

@@ -45,6 +45,7 @@ void require_on_ranks(const Options& options) {
 }
 
 RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(ranks) {
+  if (options.replicate > 0) replicated_ = options.replicate;
   if (!are_several()) return;
   require_on_ranks(options);
   transport_ = make_transport(ranks);
@@ -83,7 +84,7 @@ std::vector<std::string> RanksOfRun::texts_of_all(const std::string& mine) const
 std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& levels,
                                                                 const fem::Loading& loading,
                                                                 const fem::SolverSettings& settings) {
-  auto solver = fem::make_solver_on_ranks(ranks_, levels, loading, settings);
+  auto solver = fem::make_solver_on_ranks(ranks_, levels, loading, settings, replicated_);
   solver_ = solver.get();
   return solver;
 }

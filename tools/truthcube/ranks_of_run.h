@@ -6,6 +6,7 @@
 #include <physgen/distributed/transport.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ class RanksOfRun {
   const Ranks& ranks_;
   std::unique_ptr<Transport> transport_;
   int on_this_machine_ = 1;
+  std::optional<index_t> replicated_;                      ///< as make_solver_on_ranks() takes it
   [[maybe_unused]] fem::SolverOnRanks* solver_ = nullptr;  ///< in builds that have it
 };
 
