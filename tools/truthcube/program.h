@@ -48,6 +48,9 @@ inline void open_standard_streams() {
 template <class Parse, class Run>
 [[nodiscard]] int run_on(const Ranks& ranks, const std::string& name, const std::vector<std::string>& arguments,
                          const Parse& parse, const Run& run) {
+  std::string command = name;
+  for (const std::string& word : arguments) command += " " + quoted(word);
+  ranks.agree("command", command);  // first: where one rank alone refused its words, the others would wait for it
   decltype(parse(arguments)) options;
   try {
     options = parse(arguments);
@@ -64,8 +67,6 @@ template <class Parse, class Run>
   if (const std::string remark = remark_on_threads(); ranks.is_first() && !remark.empty()) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), remark.c_str());
   }
-  std::string command = name;
-  for (const std::string& word : arguments) command += " " + quoted(word);
   try {
     return status_of_output(name, run(std::move(options), command, ranks));
   } catch (const std::exception& error) {

@@ -9,6 +9,8 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "arrays.h"
@@ -57,6 +59,14 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 
 PlateRecord record_of(const Plate& plate) {
   return {static_cast<std::int64_t>(plate.nodes.front().size()), plate.area};
+}
+
+/// What tells a checkpoint from others of its settings and mesh.
+std::string digest_of(const Checkpoint& checkpoint) {
+  Hash hash;
+  hash.add(std::as_bytes(std::span(checkpoint.positions)));
+  return "step " + std::to_string(checkpoint.step) + ", at " + std::to_string(checkpoint.compression) +
+         ", positions of digest " + std::to_string(hash.value());
 }
 
 Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages, RanksOfRun& ranks) {
@@ -118,6 +128,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   std::optional<Checkpoint> checkpoint;
   if (options.restart) {
     checkpoint = read_last_step(options, scene, hash);
+    ranks.agree("checkpoint in " + options.out.string(), digest_of(*checkpoint));
     record.steps = read_steps(options, *checkpoint);
     for (const double compression : options.compressions) {
       const auto is_it = [=](const StepRecord& step) { return step.compression == compression; };
@@ -132,7 +143,6 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
       return Outcome::done;
     }
     if (ranks.is_first()) require_writable(options.out);
-    ranks.agree("last step in " + options.out.string(), std::to_string(checkpoint->step));
   }
   std::optional<MeasuredBeads> beads;
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
@@ -199,7 +209,6 @@ Outcome run(Options options, const std::string& command, const Ranks& ranks) {
   };
   try {
     const fem::Stages::Recording recording(stages);
-    ranks.agree("command", command);
     RanksOfRun together(ranks, options);
     return options.is_case() ? run_case(std::move(options), command, stages)
                              : run_recorded(std::move(options), command, stages, together);

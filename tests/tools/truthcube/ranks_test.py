@@ -116,12 +116,26 @@ def what_several_ranks_do_not_have_is_refused():
 
 
 def ranks_with_other_options_are_refused():
-    """Options are those of all ranks; both are said."""
-    words = (TRUTHCUBE, *SCENE, "--compress", "0.05", "--cells")
-    found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", *words, "8", ":", "-n", "1", *words, "10")
-    assert found == 1 and not output, (found, output, errors)
-    said = re.findall(r"rank 0 of 2 on \S+: rank 1 on \S+ has another command: \"([^\"]*)\", and rank 0 has \"([^\"]*)\"; start", errors)
-    assert len(said) == 1 and said[0][0].endswith("--cells 10") and said[0][1].endswith("--cells 8"), errors
+    """Options are those of all ranks; both are said, also where one rank alone would refuse its own, or print its help."""
+    words = (TRUTHCUBE, *SCENE, "--compress", "0.05", "--cells", "8")
+    for other in (("--cells", "10"), ("--cels", "10"), ("--help",)):
+        found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", *words, ":", "-n", "1", TRUTHCUBE, *SCENE, *other)
+        assert found == 1 and not output, (found, output, errors)
+        said = re.findall(r"rank 0 of 2 on \S+: rank 1 on \S+ has another command: \"([^\"]*)\", and rank 0 has \"([^\"]*)\"; start", errors)
+        assert len(said) == 1 and said[0][0].endswith(" ".join(other)) and said[0][1].endswith("--cells 8"), errors
+
+
+def ranks_that_read_other_checkpoints_are_refused():
+    """As where machines have folders of their own: also where nothing is left to do on one rank, and where positions hardly differ."""
+    for name, steps in (("one", ("0.05",)), ("two", ("0.05", "0.1")), ("near", ("0.0500000001",))):
+        done(0, TRUTHCUBE, *SCENE, "--cells", "8", "--compress", *steps, "--out", str(FOLDER / name / "out"))
+    restart = (TRUTHCUBE, *SCENE, "--cells", "8", "--compress", "0.05", "0.1", "--out", "out", "--restart")
+    for other, said in (("two", "step 2, at 0.1"), ("near", "step 1, at 0.05")):
+        words = [("-n", "1", "-wdir", str(FOLDER / name), *restart) for name in ("one", other)]
+        found, output, errors, _ = run(MPIRUN, "--oversubscribe", *words[0], ":", *words[1])
+        assert found == 1 and "compression 0.1" not in output, (found, output, errors)
+        both = rf'rank 1 on \S+ has another checkpoint in out: "{said}[^"]*", and rank 0 has "step 1, at 0.05'
+        assert len(re.findall(both, errors)) == 1, errors
 
 
 def a_dry_run_says_what_each_rank_has():
