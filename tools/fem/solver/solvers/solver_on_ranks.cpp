@@ -257,7 +257,8 @@ class QuasistaticOnRanks final : public SolverOnRanks, private PartOfRank, priva
     std::vector<std::array<double, kCount>> all(static_cast<std::size_t>(runs.size()));
     const auto window = index_t{1} << 24;  // of objects: MPI gathers less than 2 GiB at once
     const auto own = [&](int rank, index_t first, index_t last) {
-      return std::pair{std::clamp(runs.begin(rank), first, last), std::clamp(runs.end(rank), first, last)};
+      const index_t begin = runs.begin(rank), end = runs.end(rank);
+      return std::pair{std::clamp(first, begin, end), std::clamp(last, begin, end)};
     };
     for (index_t first = 0; first < runs.size(); first += window) {
       const index_t last = std::min(first + window, runs.size());

@@ -19,6 +19,7 @@ struct PartOfMesh {
 };
 
 /// All ranks call each function, with the same arguments, and get the same values: those of the whole mesh.
+/// set_loading() is refused.
 class SolverOnRanks : public EquilibriumSolver {
  public:
   [[nodiscard]] virtual PartOfMesh part() const = 0;
@@ -29,7 +30,9 @@ class SolverOnRanks : public EquilibriumSolver {
 /// Equilibria of the scene quasistatic, on the CPU, by tets or patches. bytes() are those of this rank.
 /// @param levels the same on all ranks, as loading and settings. While this makes its arrays, each rank has those of
 /// the whole mesh, too
-/// @throw Error as make_scene_solver(); and for supports along axes of their own, which one process has
+/// @param replicated coarser meshes of more nodes are cut, too, but for the coarsest; without it those of
+/// levels_that_are_cut()
+/// @throw Error as make_scene_solver(); and for supports along axes of their own and for CUDA, which one process has
 [[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(
     const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings,
     std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
