@@ -1,8 +1,11 @@
 // truthcube: the paper's silicone cube, or a mesh of your own, compressed quasistatically.
 #include <sys/mman.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <string>
+#include <utility>
 
 #include "parse.h"
 #include "program.h"

@@ -38,7 +38,7 @@ class RanksOfRun {
   /// See Ranks::agree().
   void agree(const std::string& what, const std::string& value) const { ranks_.agree(what, value); }
 
-  /// Of several ranks; it stays known as long as it lives.
+  /// The solver of several ranks, which print_parts() and count() ask: it lives as long as they are called.
   [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::vector<fem::MeshLevel>& levels,
                                                                     const fem::Loading& loading,
                                                                     const fem::SolverSettings& settings);

@@ -11,9 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
+#include <cstdlib>
 #include <optional>
-#include <utility>
+#include <span>
+#include <vector>
 
 namespace physgen::fem::detail {
 
