@@ -102,6 +102,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     print_sizes(counts, bytes, options, terminal);
     if (!ranks.are_several()) return Outcome::done;
     options.out.clear();  // they make their parts to count them
+    options.restart = false;
   }
   const NeededMemory needed(options, bytes, ranks.on_this_machine());
   needed.require(options, device);

@@ -21,7 +21,7 @@ namespace physgen::detail {
 }
 
 /// Whether the environment has a name that launchers and batch systems give to what they start. A process without one
-/// was started by itself. (Those above, PMIx and PMI of any launcher, Slurm, Flux, PALS and ALPS of Cray, jsrun.)
+/// was started by itself. Names are those above, and those of PMIx and PMI, Slurm, Flux, PALS and ALPS of Cray, jsrun.
 [[nodiscard]] inline bool may_be_launched() {
   for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
     for (const char* name : {"OMPI_COMM_WORLD_", "OMPI_UNIVERSE_", "PMIX_", "PMI_", "MPI_LOCAL", "MV2_COMM_",

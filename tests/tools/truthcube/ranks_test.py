@@ -151,6 +151,8 @@ def a_dry_run_says_what_each_rank_has():
     assert 4 * 25 ** 2 <= ghosts <= 10 * 25 ** 2 and min(part[4] for part in parts) > 0, parts  # about two planes at each side of a cut
     done(0, *command(3, "--cells", "24", "--compress", "0.05", "--out", str(out)))
     assert json.loads((out / "run.json").read_text())["bytes"] == sum(part[5] for part in parts), parts
+    again = done(0, *command(3, "--cells", "24", "--compress", "0.05", "0.1", "--dry-run", "--restart", "--out", str(out)))
+    assert "compression" not in again and " machine" in again, again
 
 
 def a_program_that_no_launcher_started_does_not_begin_mpi():
