@@ -211,6 +211,9 @@ Outcome run(Options options, const std::string& command, const Ranks& ranks) {
   try {
     const fem::Stages::Recording recording(stages);
     RanksOfRun together(ranks, options);
+    if (options.replicate > 0 && !together.are_several()) {
+      options.notes.emplace_back("--replicate is of several ranks; one process has the whole of all meshes");
+    }
     return options.is_case() ? run_case(std::move(options), command, stages)
                              : run_recorded(std::move(options), command, stages, together);
   } catch (const MemoryError& error) {
