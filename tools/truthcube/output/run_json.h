@@ -76,7 +76,7 @@ struct RunRecord {
   std::vector<StageRecord> stages;       ///< of the set-up; in files of older versions there are none
   bool has_plates = true;                ///< not of a case; they are not written then
   PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
-  std::optional<RanksRecord> ranks;      ///< of several
+  std::optional<RanksRecord> ranks = {};      ///< of several
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;
 };
