@@ -73,10 +73,10 @@ struct RunRecord {
   std::string command;          ///< as it was typed
   std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
   double setup_seconds = 0;
-  std::vector<StageRecord> stages;       ///< of the set-up; in files of older versions there are none
-  bool has_plates = true;                ///< not of a case; they are not written then
-  PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
-  std::optional<RanksRecord> ranks = {};      ///< of several
+  std::vector<StageRecord> stages;        ///< of the set-up; in files of older versions there are none
+  bool has_plates = true;                 ///< not of a case; they are not written then
+  PlateRecord lower_plate, upper_plate;   ///< in files of older versions they are missing, and read as zeros
+  std::optional<RanksRecord> ranks = {};  ///< of several
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;
 };
