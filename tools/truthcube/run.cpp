@@ -103,6 +103,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     if (!ranks.are_several()) return Outcome::done;
     options.out.clear();  // they make their parts to count them
     options.restart = false;
+    options.beads.clear();
   }
   const NeededMemory needed(options, bytes, ranks.on_this_machine());
   needed.require(options, device);

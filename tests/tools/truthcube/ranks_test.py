@@ -111,6 +111,10 @@ def what_several_ranks_do_not_have_is_refused():
         found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, *words, "--out", str(out))
         assert found == (status or found) != 0 and not output and not out.exists(), (words, found, output, errors)
         assert len(re.findall(said, errors)) == 1, (words, errors)
+    for cells in ("2", "3"):  # whose one level multigrid inverts
+        found, _, errors, _ = run(*command(2, "--cells", cells, "--compress", "0.1", "--out", str(out)))
+        assert found == 1 and len(re.findall("several ranks do not have multigrid over one level of at most 125 nodes, .*; write more --cells", errors)) == 1, (found, errors)
+        assert not any(out.iterdir()), list(out.iterdir())
     case = pathlib.Path(__file__).parents[3] / "tools" / "examples" / "softbody" / "case.json"
     found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, "--case", str(case))
     assert found == 1 and not output and len(re.findall("do not have cases .--case.; press the cube", errors)) == 1, errors
@@ -152,7 +156,7 @@ def a_dry_run_says_what_each_rank_has():
     assert 4 * 25 ** 2 <= ghosts <= 10 * 25 ** 2 and min(part[4] for part in parts) > 0, parts  # about two planes at each side of a cut
     done(0, *command(3, "--cells", "24", "--compress", "0.05", "--out", str(out)))
     assert json.loads((out / "run.json").read_text())["bytes"] == sum(part[5] for part in parts), parts
-    again = done(0, *command(3, "--cells", "24", "--compress", "0.05", "0.1", "--dry-run", "--restart", "--out", str(out)))
+    again = done(0, *command(3, "--cells", "24", "--compress", "0.05", "0.1", "--dry-run", "--restart", "--beads", "none.csv", "--out", str(out)))
     assert "compression" not in again and " machine" in again, again
 
 
