@@ -1,6 +1,5 @@
 #include "ranks_of_run.h"
 
-#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/solvers/solver_on_ranks.h>
 #include <physgen/error.h>
 #include <physgen/launch/processors.h>
@@ -85,13 +84,6 @@ std::vector<std::string> RanksOfRun::texts_of_all(const std::string& mine) const
 std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& levels,
                                                                 const fem::Loading& loading,
                                                                 const fem::SolverSettings& settings) {
-  if (settings.newton.preconditioner.kind == fem::Preconditioner::multigrid && levels.size() == 1 &&
-      levels.front().mesh.nodes <= fem::most_coarse_nodes) {
-    throw Error(
-        "several ranks do not have multigrid over one level of at most " + std::to_string(fem::most_coarse_nodes) +
-        " nodes, which is inverted as a whole; write more --cells or --preconditioner block-jacobi, or start one "
-        "process, without mpirun");
-  }
   auto solver = fem::make_solver_on_ranks(ranks_, levels, loading, settings, replicated_);
   solver_ = solver.get();
   return solver;

@@ -233,7 +233,6 @@ class QuasistaticOnRanks final : public SolverOnRanks, private PartOfRank, priva
     moves_.push_back(facts.moves);
     all_prescribed_.push_back(facts.all_prescribed);
   }
-
   [[nodiscard]] std::vector<Point> positions_of(std::size_t level) const {
     return of_all_ranks<3>(arrays_[level]->positions, [](const auto& node, int k) -> double { return node.x()[k]; });
   }
@@ -285,11 +284,15 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
                                                     std::optional<index_t> replicated,
                                                     const DistributedOptions& options) {
   require_scene_solver("quasistatic", levels, loading, settings);
-  if (levels.front().axes) {
-    throw Error("supports along axes of their own are not there on several ranks; solve with them in one process");
-  }
-  if (settings.device != Device::cpu) {
-    throw Error("the solver runs on several ranks on the CPU alone; choose the device cpu, or start one process");
+  const auto refuse = [](const std::string& what) {
+    throw Error("several ranks do not have " + what + ", or solve in one process");
+  };
+  if (levels.front().axes) refuse("supports along axes of their own; turn the body");
+  if (settings.device != Device::cpu) refuse("a solver on CUDA; choose the device cpu");
+  const bool inverts = settings.newton.preconditioner.kind == Preconditioner::multigrid && levels.size() == 1;
+  if (inverts && levels.front().mesh.nodes <= most_coarse_nodes) {
+    refuse("multigrid over one level of at most " + std::to_string(most_coarse_nodes) +
+           " nodes, which is inverted as a whole; take more cells or another preconditioner");
   }
   return std::make_unique<QuasistaticOnRanks>(ranks, Whole(levels, loading, settings), settings, replicated, options);
 }

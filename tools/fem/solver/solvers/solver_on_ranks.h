@@ -32,7 +32,8 @@ class SolverOnRanks : public EquilibriumSolver {
 /// the whole mesh, too
 /// @param replicated coarser meshes of more nodes are cut, too, but for the coarsest; without it those of
 /// levels_that_are_cut()
-/// @throw Error as make_scene_solver(); and for supports along axes of their own and for CUDA, which one process has
+/// @throw Error as make_scene_solver(); and for supports along axes of their own, for CUDA, and for multigrid over one
+/// level that is inverted as a whole, which one process has
 [[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(
     const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings,
     std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
