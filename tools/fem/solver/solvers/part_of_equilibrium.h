@@ -39,9 +39,9 @@ struct MeshSets {
 };
 /// The arrays of a mesh and of its linear solves, without those of its edges.
 /// @param number of the mesh where there are several, as "[1]"
-template <class Body, class Chunk, class Krylov>
+template <class Body, class Chunk, class Krylov, class WholeBody>
 void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, Body& body, Chunk& chunk,
-              Krylov& krylov, const Body& whole) {
+              Krylov& krylov, const WholeBody& whole) {
   const std::string of_body = "body" + number + ".", of_chunk = "chunk" + number + ".",
                     of_krylov = "krylov" + number + ".";
   arrays.add(of_body + "tets", sets.tet, body.tets.contents());
@@ -66,18 +66,18 @@ void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSe
                       "code", sets.tet, rows_of(whole.node_tet_ranges, whole.node_tet_entries), NodeTetEntry::bits);
 }
 /// What assembled tangents have besides.
-template <class Body>
+template <class Body, class WholeBody>
 void add_edge_tets(DistributedArrays& arrays, const std::string& number, const std::string& edge,
-                   const std::string& kept_tet, Body& body, const Body& whole) {
+                   const std::string& kept_tet, Body& body, const WholeBody& whole) {
   const std::string of_body = "body" + number + ".";
   arrays.add(of_body + "edge_tet_ranges", edge, body.edge_tet_ranges.contents());
   arrays.connect_rows(body.edge_tet_ranges.contents(), of_body + "edge_tet_entries", body.edge_tet_entries.contents(),
                       "code", kept_tet, rows_of(whole.edge_tet_ranges, whole.edge_tet_entries), EdgeTetEntry::bits);
 }
 /// What patches have over which volumes are averaged, without the lists by which tangents are summed.
-template <class Body, class Patches>
+template <class Body, class Patches, class WholePatches>
 void add_patches(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, const std::string& patch,
-                 Body& body, Patches& patches, const Patches& whole) {
+                 Body& body, Patches& patches, const WholePatches& whole) {
   const std::string of_patches = "patches" + number + ".";
   arrays.add("body" + number + ".volumes", patch, body.volumes);
   arrays.add(of_patches + "tet_patches", sets.tet, patches.tet_patches.contents());
@@ -93,9 +93,9 @@ void add_patches(DistributedArrays& arrays, const std::string& number, const Mes
                       rows_of(whole.patch_tet_ranges, whole.patch_tet_entries));
 }
 /// The patches of edges, where the stiffness is assembled.
-template <class Patches>
+template <class Patches, class WholePatches>
 void add_edge_patches(DistributedArrays& arrays, const std::string& number, const std::string& edge,
-                      const std::string& patch, Patches& patches, const Patches& whole) {
+                      const std::string& patch, Patches& patches, const WholePatches& whole) {
   const std::string of_patches = "patches" + number + ".";
   arrays.add(of_patches + "edge_patch_ranges", edge, patches.edge_patch_ranges.contents());
   arrays.connect_rows(patches.edge_patch_ranges.contents(), of_patches + "edge_patch_entries",
@@ -103,8 +103,8 @@ void add_edge_patches(DistributedArrays& arrays, const std::string& number, cons
                       rows_of(whole.edge_patch_ranges, whole.edge_patch_entries), EdgePatchEntry::bits);
 }
 /// As the solver fills its own. Behind cut().
-template <class Body, class Krylov>
-void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Body& whole) {
+template <class Body, class Krylov, class WholeBody>
+void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole) {
   arrays.fill(body.rest.contents(), whole.rest);
   for (auto* positions : {&body.positions, &body.trial, &body.kept}) arrays.fill(*positions, whole.rest);
   arrays.fill(body.loads.contents(), whole.loads);
@@ -114,20 +114,21 @@ void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Body
 }
 
 /// The parts of groups of arrays.
-/// @tparam Whole of the whole mesh: body, patches or NoArrays, chunk, levels, krylov, the graphs of the levels, facts,
-/// and Choices
-template <class Whole>
+/// @tparam Whole of the whole mesh, on the host: body, patches or NoArrays, chunk, levels, krylov, the graphs of the
+/// levels, facts, and Choices
+/// @tparam Part the same, without graphs, where this rank has them in other memory
+template <class Whole, class Part = Whole>
 struct PartOfEquilibrium {
-  using Body = decltype(Whole::body);
-  using Patches = decltype(Whole::patches);
-  using Level = typename decltype(Whole::levels)::value_type;
+  using Body = decltype(Part::body);
+  using Patches = decltype(Part::patches);
+  using Level = typename decltype(Part::levels)::value_type;
   using Choices = typename Whole::Choices;
   DistributedArrays arrays;
   Body body;
   Patches patches;
-  decltype(Whole::chunk) chunk;
+  decltype(Part::chunk) chunk;
   std::vector<Level> levels;
-  decltype(Whole::krylov) krylov;
+  decltype(Part::krylov) krylov;
   MeshFacts facts;
 
   /// @param whole of the same mesh on each rank. Where its volumes are not averaged, patches have no objects
