@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "../addressing.h"
 #include "../index_field.h"
+#include "named_batches.h"
 
 namespace physgen {
 
@@ -160,43 +162,54 @@ void Partition::set_fresh(int array, bool is_fresh) {
   }
 }
 
-std::int32_t* Partition::index_at(const UntypedArray& array, std::string_view field, index_t object, int k) {
-  const FieldInfo& info = detail::find_index_field(array, field);
-  return reinterpret_cast<std::int32_t*>(array.address(object, info.offset + k * 4, 4));
+std::int32_t* Partition::first_index(const UntypedArray& array, std::string_view field) {
+  return reinterpret_cast<std::int32_t*>(array.address(0, detail::find_index_field(array, field).offset, 4));
 }
 
-void Partition::connect_field(const void* array, const std::string& field, std::string_view target, Named named) {
+void Partition::connect_field(const void* array, const std::string& field, std::string_view target,
+                              detail::NamedObjects named) {
   const int number = number_of_array(array), to = number_of(target);
   DistributedArray& source = arrays_[static_cast<std::size_t>(number)];
   const UntypedArray untyped = source.untyped();
   source.is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, field) - untyped.fields.data())] = 1;
   const std::string of = source.name + "." + field;
   namings_.push_back({of, source.set, to, number, static_cast<int>(connections_.size())});
-  const auto store = [this, number, to, field, of, named] {
-    const DistributedArray& connected = arrays_[static_cast<std::size_t>(number)];
-    const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
-    const detail::HostImage image(connected.untyped());
-    const UntypedArray& memory = image.array();
-    const int elements = detail::find_index_field(memory, field).count;
-    std::vector<index_t> numbers;
-    for (index_t i = objects.first(); i < objects.last(); ++i) {
-      numbers.clear();
-      named(objects.global(i), numbers);
-      if (static_cast<int>(numbers.size()) != elements) {
-        throw Error(of + " of object " + std::to_string(objects.global(i)) + " has " + std::to_string(elements) +
-                    " elements, and " + std::to_string(numbers.size()) + " numbers were given; give one for each");
-      }
-      for (int k = 0; k < elements; ++k) {
-        *index_at(memory, field, i, k) = local_number(to, numbers[static_cast<std::size_t>(k)], of);
-      }
-    }
-    image.store();
+  const auto store = [this, number, to, field, of](const detail::NamedObjects& named_objects) {
+    store_numbers(number, to, field, of, named_objects);
   };
   connections_.push_back({source.set, to, std::move(named), store});
 }
 
+void Partition::store_numbers(int array, int target, const std::string& field, const std::string& of,
+                              const detail::NamedObjects& named) const {
+  const DistributedArray& connected = arrays_[static_cast<std::size_t>(array)];
+  const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
+  const detail::HostImage image(connected.untyped());
+  const FieldInfo& info = detail::find_index_field(image.array(), field);
+  const detail::Addressing places(image.array());
+  const auto elements = static_cast<std::size_t>(info.count);
+  detail::each_named(
+      {&named}, objects.last() - objects.first(), [&](index_t i) { return objects.global(objects.first() + i); },
+      [&](const detail::NamedBatch& batch) {
+        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+          const std::span<const index_t> numbers = batch.numbers.front().of(k);
+          if (numbers.size() != elements) {
+            throw Error(of + " of object " + std::to_string(batch.objects[k]) + " has " + std::to_string(elements) +
+                        " elements, and " + std::to_string(numbers.size()) + " numbers were given; give one for each");
+          }
+          const index_t i = objects.first() + batch.first + static_cast<index_t>(k);
+          for (std::size_t e = 0; e < elements; ++e) {
+            *reinterpret_cast<std::int32_t*>(places.address(i, info.offset + static_cast<int>(e) * 4, 4)) =
+                local_number(target, numbers[e], of);
+          }
+        }
+      });
+  image.store();
+}
+
 void Partition::connect_entries(const void* ranges, const std::string& name, const std::string& field,
-                                std::vector<std::pair<int, Named>> targets, std::function<void()> store) {
+                                std::vector<std::pair<int, detail::NamedObjects>> targets,
+                                std::function<void()> store) {
   const int rows = number_of_array(ranges), last = static_cast<int>(arrays_.size()) - 1;
   DistributedArray& of_ranges = arrays_[static_cast<std::size_t>(rows)];
   DistributedArray& entries = arrays_.back();
@@ -209,10 +222,48 @@ void Partition::connect_entries(const void* ranges, const std::string& name, con
   for (const char* one : {".begin", ".end"}) {
     namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set, rows});
   }
-  for (auto& [target, named] : targets) {
+  const auto store_entries = [store = std::move(store)](const detail::NamedObjects& /*named*/) { store(); };
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    auto& [target, named] = targets[t];
     namings_.push_back({name + "." + field, entries.set, target, last, static_cast<int>(connections_.size())});
-    connections_.push_back({of_ranges.set, target, std::move(named), std::exchange(store, nullptr)});
+    Connection& added = connections_.emplace_back();
+    added.source = of_ranges.set;
+    added.target = target;
+    added.named = std::move(named);
+    if (t == 0) added.store = store_entries;
   }
+}
+
+void Partition::store_rows(int ranges, index_t first, std::span<const std::int32_t> begins) const {
+  const detail::HostImage image(arrays_[static_cast<std::size_t>(ranges)].untyped());
+  const UntypedArray& memory = image.array();
+  const detail::Addressing places(memory);
+  const int begin = detail::find_index_field(memory, "begin").offset,
+            end = detail::find_index_field(memory, "end").offset;
+  const auto rows = static_cast<index_t>(begins.size()) - 1;
+  const auto begin_of = [&](index_t row) {
+    return begins[static_cast<std::size_t>(std::clamp(row, index_t{0}, rows))];
+  };
+  for (index_t i = 0; i < memory.size; ++i) {
+    *reinterpret_cast<std::int32_t*>(places.address(i, begin, 4)) = begin_of(i - first);
+    *reinterpret_cast<std::int32_t*>(places.address(i, end, 4)) = begin_of(i - first + 1);
+  }
+  image.store();
+}
+
+index_t Partition::entries_of_owned(int ranges) const {
+  const DistributedArray& array = arrays_[static_cast<std::size_t>(ranges)];
+  const LocalSet& objects = *sets_[static_cast<std::size_t>(array.set)].local;
+  const detail::HostImage image(array.memory);
+  const detail::Addressing places(image.array());
+  const int begin = detail::find_index_field(image.array(), "begin").offset,
+            end = detail::find_index_field(image.array(), "end").offset;
+  const auto number = [&](index_t i, int offset) {
+    return *reinterpret_cast<const std::int32_t*>(places.address(i, offset, 4));
+  };
+  index_t sum = 0;
+  for (index_t i = objects.begin(); i < objects.end(); ++i) sum += number(i, end) - number(i, begin);
+  return sum;
 }
 
 void Partition::to_first(int owner, std::span<std::byte> bytes) const {

@@ -13,13 +13,16 @@
 
 #include <physgen/arrays/array.h>
 #include <physgen/detail/array_sets.h>
+#include <physgen/detail/host_loop.h>
+#include <physgen/detail/scan.h>
 #include <physgen/distributed/on_host.h>
 #include <physgen/distributed/partition.h>
 
 #include <algorithm>
 #include <concepts>
 #include <initializer_list>
-#include <memory>
+#include <ranges>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,18 +45,21 @@ class DistributedArrays : public Partition {
   }
   /// A field of indices names objects of a set.
   /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called
-  /// for objects of all ranks
+  /// for objects of all ranks, by several threads at once, and more than once
   /// @throw Error when the array, the field or the set is not known
   template <class Array, class Named>
   void connect(const Array& array, const std::string& field, std::string_view target, const Named& named) {
-    connect_field(&array, field, target, [named](index_t object, std::vector<index_t>& numbers) {
-      for (const auto number : named(object)) numbers.push_back(static_cast<index_t>(number));
+    connect_field(&array, field, target, [named](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
+      for (const index_t object : objects) {
+        for (const auto number : named(object)) numbers.add(static_cast<index_t>(number));
+        numbers.end_object();
+      }
     });
   }
   /// Rows (rows.h) of the objects of the set of `ranges`, whose entries name objects of another set, or of the same.
   /// `entries` is added by this.
   /// @param name of the array of entries, "body.ends"
-  /// @param row row(object) gives a range of Entries::Value, with global numbers in the field
+  /// @param row row(object) gives a range of Entries::Value, with global numbers in the field; called as named() is
   /// @param shift the number is field >> shift, and what is below stays as it is
   template <class Ranges, class Entries, class Row>
   void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
@@ -160,48 +166,65 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
                                      const Row& row, int shift, const Which& which) {
   using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
   const int rows = number_of_array(&ranges);
-  const auto scratch = std::make_shared<One>(1);
   std::vector<int> named_sets;
   for (const std::string_view target : targets) named_sets.push_back(number_of(target));
   add_set(name, 0, DistributedSet::Kind::entries);
   add(name, name, entries);
-  std::vector<std::pair<int, Named>> named;
+  using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
+  std::vector<std::pair<int, detail::NamedObjects>> named;
   for (std::size_t k = 0; k < named_sets.size(); ++k) {
-    named.emplace_back(named_sets[k], [=](index_t object, std::vector<index_t>& numbers) {
-      for (const auto& entry : row(object)) {
-        if (which(entry) != static_cast<int>(k)) continue;
-        scratch->view().put(index_t{0}, entry);
-        numbers.push_back(*index_at(scratch->untyped(), field, 0, 0) >> shift);
+    named.emplace_back(named_sets[k], [=](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
+      One one(1);  // in which the field is found by its name
+      const std::int32_t* const number = first_index(one.untyped(), field);
+      const auto view = one.view();
+      for (const index_t object : objects) {
+        for (const auto& entry : row(object)) {
+          if (which(entry) != static_cast<int>(k)) continue;
+          view.put(index_t{0}, entry);
+          numbers.add(*number >> shift);
+        }
+        numbers.end_object();
       }
     });
   }
-  const auto store = [=, this, &entries] {
-    const DistributedArray& of_ranges = arrays()[static_cast<std::size_t>(rows)];
-    const LocalSet& objects = *sets()[static_cast<std::size_t>(of_ranges.set)].local;
-    std::vector<typename Entries::Value> all;
-    const detail::HostImage image(of_ranges.untyped());
-    const UntypedArray& places = image.array();
-    for (index_t i = 0; i < objects.size(); ++i) {
-      *index_at(places, "begin", i, 0) = static_cast<std::int32_t>(all.size());
-      if (std::ranges::all_of(named_sets, [&](int set) { return is_complete(of_ranges.set, i, set); })) {
-        for (const auto& entry : row(objects.global(i))) all.push_back(entry);
-      }
-      *index_at(places, "end", i, 0) = static_cast<std::int32_t>(all.size());
+  const auto store = [=, this, &entries, of = name + "." + field] {
+    const int set = arrays()[static_cast<std::size_t>(rows)].set;
+    const LocalSet& objects = *sets()[static_cast<std::size_t>(set)].local;
+    index_t first = 0, last = objects.size();
+    for (const int target : named_sets) {
+      const auto [from, to] = complete(set, target);
+      first = std::max(first, from), last = std::min(last, to);
     }
-    image.store();
+    const index_t count = std::max(last - first, index_t{0});
+    std::vector<std::int32_t> begins(static_cast<std::size_t>(count) + 1, 0);
+    detail::host_loop(count, [&](index_t k) {
+      const auto& entries_of_row = row(objects.global(first + k));
+      begins[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::ranges::distance(entries_of_row));
+    });
+    const index_t all = detail::scan<false>(std::span(begins));
+    store_rows(rows, first, begins);
     // One at least, as in a set.
-    const auto size = std::max(static_cast<index_t>(all.size()), index_t{ranks().count() > 1 ? 1 : 0});
-    entries = detail::make_array<Entries>(size, ranks(), transport());
+    entries = detail::make_array<Entries>(std::max(all, index_t{ranks().count() > 1 ? 1 : 0}), ranks(), transport());
     detail::edit_on_host(entries, [&](auto& here) {
-      const auto view = here.view();
-      for (index_t k = 0; k < static_cast<index_t>(all.size()); ++k) {
-        const auto& entry = all[static_cast<std::size_t>(k)];
-        const int set = named_sets[static_cast<std::size_t>(which(entry))];
-        view.put(k, entry);
-        std::int32_t* const number = index_at(here.untyped(), field, k, 0);
-        const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
-        *number = (local_number(set, *number >> shift, name + "." + field) << shift) | below;
-      }
+      detail::RegionFailure failure;
+      detail::for_parts<8>(count, [&](index_t from, index_t to) {
+        failure.guard([&] {
+          One one(1);
+          std::int32_t* const number = first_index(one.untyped(), field);
+          const auto view = here.view();
+          for (index_t k = from; k < to; ++k) {
+            index_t place = begins[static_cast<std::size_t>(k)];
+            for (const auto& entry : row(objects.global(first + k))) {
+              one.view().put(index_t{0}, entry);
+              const int target = named_sets[static_cast<std::size_t>(which(entry))];
+              const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
+              *number = (local_number(target, *number >> shift, of) << shift) | below;
+              view.put(place++, one.view().get(index_t{0}));
+            }
+          }
+        });
+      });
+      failure.rethrow();
     });
   };
   connect_entries(&ranges, name, field, std::move(named), store);

@@ -6,6 +6,7 @@
 #include <physgen/distributed/halo_needs.h>
 #include <physgen/distributed/halo_uses.h>
 #include <physgen/distributed/local_set.h>
+#include <physgen/distributed/named_objects.h>
 #include <physgen/distributed/ranks.h>
 
 #include <array>
@@ -125,16 +126,13 @@ class Partition {
   [[nodiscard]] int need_of(int set, HaloNeedBits needs);
 
  protected:
-  /// Appends the global numbers that an object names.
-  using Named = std::function<void(index_t object, std::vector<index_t>& numbers)>;
-
   void add_set(const std::string& name, index_t size, DistributedSet::Kind kind);
   void add_array(DistributedArray array);
-  void connect_field(const void* array, const std::string& field, std::string_view target, Named named);
+  void connect_field(const void* array, const std::string& field, std::string_view target, detail::NamedObjects named);
   /// @param targets the sets that entries name, and which numbers of each
   /// @param store makes rows, behind cut()
   void connect_entries(const void* ranges, const std::string& name, const std::string& field,
-                       std::vector<std::pair<int, Named>> targets, std::function<void()> store);
+                       std::vector<std::pair<int, detail::NamedObjects>> targets, std::function<void()> store);
   [[nodiscard]] int number_of(std::string_view set) const;
   [[nodiscard]] int number_of_array(const void* array) const;
   [[nodiscard]] const LocalSet& set_of(int array) const;
@@ -144,11 +142,17 @@ class Partition {
   [[nodiscard]] int number_by_memory(const void* array, const std::byte* base) const;
   void set_fresh(int array, bool is_fresh);
   [[nodiscard]] const index_t* global_numbers(int array);
-  /// Whether all that an object names of a set is here.
-  [[nodiscard]] bool is_complete(int set, index_t local, int target) const;
+  /// The local objects, first and behind the last, of which all that they name of another set is here.
+  [[nodiscard]] std::pair<index_t, index_t> complete(int set, int target) const;
   /// Of a global number; -1 where it is not here. @throw Error when the set has no such object
   [[nodiscard]] std::int32_t local_number(int set, index_t number, const std::string& of) const;
-  [[nodiscard]] static std::int32_t* index_at(const UntypedArray& array, std::string_view field, index_t object, int k);
+  /// The first element of an index field of the first object.
+  [[nodiscard]] static std::int32_t* first_index(const UntypedArray& array, std::string_view field);
+  /// The places of rows: row k, of local object first + k, begins with entry begins[k]; other objects have none.
+  /// @param begins one more than there are rows
+  void store_rows(int ranges, index_t first, std::span<const std::int32_t> begins) const;
+  /// How many entries the rows of owned objects have.
+  [[nodiscard]] index_t entries_of_owned(int ranges) const;
   /// The numbers in the connected fields of an array, which keep them while others are filled.
   /// @param memory of all that is here, where the host reaches it
   [[nodiscard]] std::vector<std::int32_t> index_numbers(int array, const UntypedArray& memory) const;
@@ -163,18 +167,28 @@ class Partition {
  private:
   struct Connection {
     int source, target;
-    Named named;
-    std::function<void()> store;  ///< local numbers, behind cut(); or none, where another connection does
+    detail::NamedObjects named;
+    /// Local numbers of what `named` tells, behind cut(); or none, where another connection does.
+    std::function<void(const detail::NamedObjects& named)> store;
     /// Local numbers of an object that is computed here and of one that it names, where that is a ghost or leads to
     /// one.
     std::vector<std::array<index_t, 2>> to_ghosts = {};
   };
-  void decide_runs();
+  /// @return of each set that follows, ascending: the objects that name one that this rank owns
+  [[nodiscard]] std::vector<std::vector<index_t>> decide_runs();
   void decide_computed();
-  void find_ghosts();
+  void store_numbers(int array, int target, const std::string& field, const std::string& of,
+                     const detail::NamedObjects& named) const;
+  void find_ghosts(const std::vector<std::vector<index_t>>& touching);
+  /// Appends what some objects name that other ranks own.
+  void add_named_of_others(const Connection& connection, const std::vector<index_t>& objects,
+                           std::vector<index_t>& others) const;
   void find_fields_that_name_parts();
+  using Reached = std::vector<std::uint64_t>;  ///< DistributedSet::reached of each object of a set
   void find_reached();
-  void keep_what_leads_to_ghosts(const std::vector<std::vector<std::uint64_t>>& reached);
+  /// What objects reach by a connection. @return whether it is more than before
+  [[nodiscard]] bool add_reached(const Connection& connection, std::vector<Reached>& reached) const;
+  void keep_what_leads_to_ghosts(const std::vector<Reached>& reached);
   [[nodiscard]] std::vector<char> ghosts_of(const HaloPath& path) const;
   [[nodiscard]] int add_need(int set, std::vector<char> has);
   [[nodiscard]] bool is_followed(int set) const;

@@ -103,13 +103,7 @@ class SceneSets : public DistributedArrays {
   }
   /// Each rank counts the entries of the rows that it owns.
   [[nodiscard]] index_t entries_of_all(const SceneNames::RowsOfScene& rows) const {
-    const LocalSet& objects = set_of(number_of_array(rows.ranges));
-    const HostImage image(arrays()[static_cast<std::size_t>(number_of_array(rows.ranges))].memory);
-    const UntypedArray& ranges = image.array();
-    index_t mine = 0;
-    for (index_t i = objects.begin(); i < objects.end(); ++i) {
-      mine += *index_at(ranges, "end", i, 0) - *index_at(ranges, "begin", i, 0);
-    }
+    const index_t mine = entries_of_owned(number_of_array(rows.ranges));
     std::vector<index_t> all(static_cast<std::size_t>(ranks().count()));
     const std::vector<index_t> sizes(all.size(), index_t{sizeof(mine)});
     transport().gather(std::as_bytes(std::span(&mine, 1)), sizes, std::as_writable_bytes(std::span(all)));

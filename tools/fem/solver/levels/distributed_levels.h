@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -56,12 +57,12 @@ template <class Packing>
                 " its rows have, and not which; give graphs that make_level_graphs() made");
   }
   return [&list](index_t row) {
-    std::vector<quasistatic::PackedIncidence<float>> packed;
-    for (Index k = list.first[at(row)]; k < list.first[at(row) + 1]; ++k) {
-      const IncidenceEntry& entry = list.entries[at(k)];
-      packed.emplace_back().code = entry.element << Packing::bits | entry.local;
-    }
-    return packed;
+    const auto begin = at(list.first[at(row)]), end = at(list.first[at(row) + 1]);
+    return std::span(list.entries).subspan(begin, end - begin) | std::views::transform([](const IncidenceEntry& entry) {
+             quasistatic::PackedIncidence<float> packed;
+             packed.code = entry.element << Packing::bits | entry.local;
+             return packed;
+           });
   };
 }
 

@@ -11,6 +11,7 @@
 #endif
 
 #include <array>
+#include <ranges>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -21,10 +22,8 @@ namespace physgen::fem {
 template <class Ranges, class Entries>
 [[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {
   return [ranges = ranges.const_view(), entries = entries.const_view()](index_t object) {
-    std::vector<typename Entries::Value> row;
     const index_t begin = ranges[object].begin(), end = ranges[object].end();
-    for (index_t k = begin; k < end; ++k) row.push_back(entries.get(k));
-    return row;
+    return std::views::iota(begin, end) | std::views::transform([entries](index_t k) { return entries.get(k); });
   };
 }
 /// The nodes that an object names, by global numbers.
