@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <ranges>
 #include <span>
 #include <string>
@@ -26,14 +27,15 @@ namespace physgen::fem {
 /// Coarser levels of so many nodes, those of a cube of 36^3 cells, stand on every rank.
 inline constexpr index_t replicated_nodes = 50653;
 
-/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, and eight
-/// blocks a rank. @param graphs finest first
+/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, or by
+/// themselves than replicated_nodes, and eight blocks a rank. None that is inverted as a whole. @param graphs finest
+/// first
 [[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> graphs, int ranks,
-                                                     index_t replicated = replicated_nodes) {
+                                                     std::optional<index_t> replicated = {}) {
+  const index_t most = std::max<index_t>(most_coarse_nodes,
+                                         replicated.value_or(std::max(replicated_nodes, 8 * Runs::block * ranks - 1)));
   std::size_t cut = 1;
-  const auto is_large = [&](const LevelGraph& graph) {
-    return !graph.is_grid && graph.nodes > replicated && graph.nodes >= 8 * Runs::block * ranks;
-  };
+  const auto is_large = [most](const LevelGraph& graph) { return !graph.is_grid && graph.nodes > most; };
   while (cut < graphs.size() && is_large(graphs[cut])) ++cut;
   return cut;
 }

@@ -105,6 +105,42 @@ void add_edge_patches(DistributedArrays& arrays, const std::string& number, cons
                       patches.edge_patch_entries.contents(), "code", patch,
                       rows_of(whole.edge_patch_ranges, whole.edge_patch_entries), EdgePatchEntry::bits);
 }
+/// The same where nodes gather from patches, since it is not.
+template <class Patches, class WholePatches>
+void add_node_patches(DistributedArrays& arrays, const std::string& number, const std::string& node,
+                      const std::string& patch, Patches& patches, const WholePatches& whole) {
+  const std::string of_patches = "patches" + number + ".";
+  arrays.add(of_patches + "changes", patch, patches.changes);
+  arrays.add(of_patches + "node_patch_ranges", node, patches.node_patch_ranges.contents());
+  arrays.connect_rows(patches.node_patch_ranges.contents(), of_patches + "node_patch_entries",
+                      patches.node_patch_entries.contents(), "code", patch,
+                      rows_of(whole.node_patch_ranges, whole.node_patch_entries), NodePatchEntry::bits);
+}
+/// A level of tangents that are not assembled.
+template <class Level>
+void add_level_by_tets(DistributedArrays& arrays, const std::string& number, const std::string& node, Level& level) {
+  const std::string of_level = "level" + number + ".";
+  arrays.add(of_level + "constraints", node, level.constraints.contents());
+  arrays.add(of_level + "node_stiffness", node, level.node_stiffness);
+  arrays.add(of_level + "scales", node, level.scales);
+  arrays.add(of_level + "inverse", node, level.inverse);
+  arrays.add(of_level + "residual", node, level.residual);
+  arrays.add(of_level + "correction", node, level.correction);
+}
+/// As the solver fills its own. Behind cut().
+template <class Level>
+void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGraph& graph) {
+  arrays.fill(level.constraints.contents(), [&](index_t node) {
+    typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
+    value.fixed = graph.fixed[at(node)];
+    return value;
+  });
+  arrays.fill(level.scales, [](index_t /*node*/) {  // which an unpreconditioned solve leaves
+    typename std::remove_cvref_t<decltype(level.scales)>::Value value{};
+    value.scale = value.inverse = 1;
+    return value;
+  });
+}
 /// As the solver fills its own. Behind cut().
 template <class Body, class Krylov, class WholeBody>
 void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole) {
@@ -147,7 +183,7 @@ struct PartOfEquilibrium {
       add_levels(arrays, each_level(), whole.graphs, cut);
       arrays.same_set("node", "level[0].node");
     } else {
-      add_level();
+      add_level_by_tets(arrays, "", "node", levels.front());
     }
     add_mesh(arrays, "", sets, body, chunk, krylov, whole.body);
     if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body);
@@ -173,16 +209,6 @@ struct PartOfEquilibrium {
     for (const char* set : {"chunk_tet", "kept_tet"}) arrays.same_set(set, "tet");
     arrays.follow("tet", "node");
   }
-  /// That of tangents that are not assembled.
-  void add_level() {
-    Level& level = levels.front();
-    arrays.add("level.constraints", "node", level.constraints.contents());
-    arrays.add("level.node_stiffness", "block_node", level.node_stiffness);
-    arrays.add("level.scales", "node", level.scales);
-    arrays.add("level.inverse", "block_node", level.inverse);
-    arrays.add("level.residual", "node", level.residual);
-    arrays.add("level.correction", "node", level.correction);
-  }
   void add_mesh_patches(const Whole& whole) {
     arrays.add_set("patch", whole.body.volumes.size());
     arrays.follow("patch", "node");
@@ -190,24 +216,15 @@ struct PartOfEquilibrium {
     if constexpr (Choices::assembled) {
       add_edge_patches(arrays, "", "level[0].edge", "patch", patches, whole.patches);
     } else {
-      add_node_patches(whole);
+      add_node_patches(arrays, "", "node", "patch", patches, whole.patches);
     }
-  }
-  /// Where nodes gather from patches.
-  void add_node_patches(const Whole& whole) {
-    const auto& all = whole.patches;
-    arrays.add("patches.changes", "patch", patches.changes);
-    arrays.add("patches.node_patch_ranges", "node", patches.node_patch_ranges.contents());
-    arrays.connect_rows(patches.node_patch_ranges.contents(), "patches.node_patch_entries",
-                        patches.node_patch_entries.contents(), "code", "patch",
-                        rows_of(all.node_patch_ranges, all.node_patch_entries), NodePatchEntry::bits);
   }
   void fill(const Whole& whole) {
     fill_mesh(arrays, body, krylov, whole.body);
     if constexpr (Choices::assembled) {
       facts.sums = fill_levels(arrays, each_level(), whole.graphs);
     } else {
-      arrays.fill(levels.front().constraints.contents(), whole.levels.front().constraints);
+      fill_level_by_tets(arrays, levels.front(), whole.graphs.front());
     }
   }
   /// One chunk for all tets that are here.

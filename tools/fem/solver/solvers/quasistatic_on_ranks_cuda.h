@@ -1,0 +1,21 @@
+// In a build with CUDA, the solver on several ranks that each have a device.
+#pragma once
+
+#include <fem/solver/solvers/solver_on_ranks.h>
+#include <fem/solver/solvers/whole_body.h>
+#include <physgen/distributed/options.h>
+#include <physgen/distributed/ranks.h>
+
+#include <memory>
+#include <optional>
+
+namespace physgen::fem {
+
+/// As make_solver_on_ranks(), of the scene quasistatic.
+[[nodiscard]] std::unique_ptr<SolverOnRanks> make_cuda_quasistatic_on_ranks(const Ranks& ranks,
+                                                                            const WholeBody<scenes::quasistatic>& whole,
+                                                                            const SolverSettings& settings,
+                                                                            std::optional<index_t> replicated,
+                                                                            const DistributedOptions& options);
+
+}  // namespace physgen::fem
