@@ -172,7 +172,8 @@ class CaseSteps {
 Outcome run_case(Options options, const std::string& command, const fem::Stages& stages, RanksOfRun& ranks) {
   const Terminal terminal(options.quiet, ranks.is_first());
   const auto start = Clock::now();
-  const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
+  const bool starts_device = options.solver.device == fem::Device::cuda && !ranks.are_several();  // ranks take one each
+  const DeviceStart device(starts_device && !options.dry_run);
   constexpr int parts = 3;
   terminal.set_up(1, parts, "the mesh");
   std::vector<std::string> notes;
@@ -210,7 +211,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   if (ranks.are_several()) ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
   std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
   terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (options.solver.device == fem::Device::cuda) {
+  if (starts_device) {
     options.solver.before_device = [&] { needed.require_on_gpu(device); };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;

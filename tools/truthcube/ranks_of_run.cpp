@@ -40,8 +40,9 @@ void require_on_ranks(const Options& options) {
 #ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
   refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
 #endif
-  if (equilibrium_row(options.scene) == nullptr) {
-    refuse("--scene " + name_of(scene_kinds, options.scene), "write --scene quasistatic");
+  const bool on_cuda = options.solver.device == fem::Device::cuda;
+  if (equilibrium_row(options.scene) == nullptr || (on_cuda && options.scene != SceneKind::quasistatic)) {
+    refuse("--scene " + name_of(scene_kinds, options.scene) + (on_cuda ? " on CUDA" : ""), "write --scene quasistatic");
   }
 }
 
