@@ -7,6 +7,7 @@ tools/packages.txt, and that of joined steps from the folder of the scenes' dige
 import re
 
 import links
+import solves_on_ranks
 from table_text import captioned, count, eps, error, markdown, ms, times
 from truthcube import bead_errors, layouts, linear_solves, records, runs, scenes
 
@@ -274,6 +275,7 @@ TABLES = {
     "linear_solves": _of_cubes(linear_solves.lines, "linear_solves.json"),
     "iterations": _of_cubes(linear_solves.iterations, "linear_solves_counts.json"),
     "links": _of_cubes(links.lines, "links.json"),
+    "solves_on_ranks": _of_cubes(solves_on_ranks.lines, "solves.json"),
     "layouts": _of_cubes(layouts.lines, "layouts.json"),
     "scenes": _of_cubes(scenes.lines, "scenes.json"),
     "beads": _of_cubes(bead_errors.lines, "runs of truthcube_runs.py --errors"),

@@ -63,7 +63,7 @@ def what_several_ranks_do_not_have_is_refused():
             (1, ("--scene", "linear-elastic"), "do not have --scene linear-elastic"),
             (1, ("--scene", "implicit-dynamics"), "do not have --scene implicit-dynamics"),
             (1, ("--scene", "explicit-dynamics"), "do not have --scene explicit-dynamics"),
-            (None, ("--scene", "quasistatic", "--device", "cuda"), "do not have --device cuda; write --device cpu|no device cuda. This build has cpu"),
+            (None, ("--scene", "matrix-free", "--device", "cuda"), "do not have --scene matrix-free on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
             (2, ("--scene", "quasistatic", "--plates", "contact"), "requires --plates held"),
             (2, ("--scene", "quasistatic", "--preconditioner", "schwarz"), "cannot take --preconditioner schwarz"),
             (2, ("--scene", "quasistatic", "--cels", "3"), "--cels")):
