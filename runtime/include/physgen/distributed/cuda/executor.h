@@ -34,8 +34,8 @@ class DistributedExecutor<On> {
   using Space = typename On::Space;
   /// A loop, once it has been run. It is run again with the same arrays, kernels and their parameters.
   struct Loop {
-    typename On::Loop of_one;     ///< rank
-    cuda::RecordedRound of_many;  ///< ranks
+    typename On::Loop of_one;                  ///< rank
+    std::vector<cuda::RecordedRound> of_many;  ///< ranks: one for each state in which rounds have begun
   };
 
   /// All ranks make it together. @param arrays outlive this. @pre cut() was called
@@ -194,17 +194,20 @@ class DistributedExecutor<On> {
   /// Runs a round: as a graph, where one has been recorded that fits, and else step by step. Behind a round that leaves
   /// the same fields fresh and the same arrays in place as it found, the next one is recorded.
   template <class Round>
-  void run_round(cuda::RecordedRound& recorded, const Round& round) {
+  void run_round(std::vector<cuda::RecordedRound>& recorded, const Round& round) {
     Transport& transport = *crossing_.transport;
     if (loops_on_host_ || !transport.can_be_captured()) return round();
     const cuda::RecordedRound::State before = cuda::RecordedRound::state_of(arrays_);
-    if (recorded.fits(before)) return recorded.replay(stream(), transport);
+    const auto fitting = std::ranges::find_if(recorded, [&](const auto& one) { return one.fits(before); });
+    if (fitting != recorded.end()) return fitting->replay(stream(), transport);
     const std::size_t needs = cuda::RecordedRound::needs_of(arrays_);
     round();
     // Behind a round in which needs were learnt the next one may ask for lists of ghosts that are not there yet.
     const bool has_learnt = cuda::RecordedRound::needs_of(arrays_) != needs;
-    if (!recorded.is_recorded() && !has_learnt && cuda::RecordedRound::state_of(arrays_) == before) {
-      recorded.record(stream(), arrays_, transport, round);
+    if (recorded.size() < most_recorded && !has_learnt && cuda::RecordedRound::state_of(arrays_) == before) {
+      cuda::RecordedRound next;
+      next.record(stream(), arrays_, transport, round);
+      recorded.push_back(std::move(next));
     }
   }
   template <class Kernel>
@@ -222,6 +225,8 @@ class DistributedExecutor<On> {
     values_->drop(range.begin, std::min(range.end, objects.begin), shift, kernel, stream());
     values_->drop(std::max(range.begin, objects.end), range.end, shift, kernel, stream());
   }
+
+  static constexpr std::size_t most_recorded = 8;  ///< of a loop: a program that swaps two arrays begins in two states
 
   const Ranks& ranks_;
   DistributedArrays& arrays_;

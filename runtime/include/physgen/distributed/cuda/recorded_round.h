@@ -51,8 +51,7 @@ class RecordedRound {
     return count;
   }
 
-  [[nodiscard]] bool is_recorded() const { return graph_ != nullptr; }
-  [[nodiscard]] bool fits(const State& state) const { return is_recorded() && state_ == state; }
+  [[nodiscard]] bool fits(const State& state) const { return graph_ != nullptr && state_ == state; }
 
   /// Records what round() orders in `stream`, and runs nothing.
   /// @pre a round that began as this one does has been run: it connected ranks and took all memory that it needs
