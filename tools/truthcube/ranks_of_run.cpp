@@ -1,5 +1,6 @@
 #include "ranks_of_run.h"
 
+#include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/solvers/solver_on_ranks.h>
 #include <physgen/error.h>
 #include <physgen/launch/processors.h>
@@ -89,6 +90,13 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vecto
   return solver;
 }
 
+std::size_t RanksOfRun::levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const {
+  if (!are_several() || options.output == Output::surface) return 0;  // a surface is found by rows of tets
+  std::vector<index_t> nodes;
+  for (const LevelCounts& level : counts) nodes.push_back(level.nodes);
+  return fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
+}
+
 void RanksOfRun::print_parts(const Terminal& terminal) const {
   const fem::PartOfMesh part = solver_->part();
   const auto column = [](index_t number, std::size_t width) {
@@ -123,6 +131,10 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vecto
                                                                 const fem::Loading& /*loading*/,
                                                                 const fem::SolverSettings& /*settings*/) {
   throw Error("this build has no solver on several ranks");
+}
+std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,
+                                             const std::vector<LevelCounts>& /*counts*/) const {
+  return 0;
 }
 void RanksOfRun::print_parts(const Terminal& /*terminal*/) const {}
 void RanksOfRun::count(RunRecord& /*record*/) const {}

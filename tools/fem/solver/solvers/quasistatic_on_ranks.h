@@ -27,32 +27,28 @@ namespace detail {
 template <class On>
 struct PartOfRank {
   using Mesh = QuasistaticMesh<typename On::Space>;
-  using WholeMesh = QuasistaticMesh<Host>;
   using Part = PartOfEquilibrium<WholeBody, QuasistaticBody<typename On::Space>>;
   std::vector<Mesh> coarser;
   scenes::quasistatic_scene::Stresses<typename On::Space> stressed;
   std::unique_ptr<Part> finest;
   std::unique_ptr<On> on;
 
-  PartOfRank(const Ranks& ranks, const WholeBody& whole, std::optional<index_t> replicated,
-             const DistributedOptions& options)
-      : coarser(whole.coarser.size()) {
+  PartOfRank(const Ranks& ranks, WholeBody& whole, const DistributedOptions& options) : coarser(whole.coarser.size()) {
     const InStage stage("parts of ranks");
-    const std::size_t cut = whole.cut(ranks.count(), replicated);
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stressed.of_tets);
-      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole.coarser[k], k, k + 1 < cut);
+      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole, k);
       for (std::size_t k = 0; k < coarser.size(); ++k) {
-        add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
-                    k == 0 ? whole.patches : whole.coarser[k - 1].patches, k);
+        add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches, whole, k);
       }
     };
-    finest = std::make_unique<Part>(ranks, table(), whole, cut, add_more);
+    finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
     finest->facts.all_prescribed = whole.facts.all_prescribed;
     for (std::size_t k = 0; k < coarser.size(); ++k) {
       Mesh& mesh = coarser[k];
       const MeshFacts& facts = whole.coarser[k].facts;
-      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body);
+      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body,
+                whole.listed.of(k + 1, whole.graphs[k + 1]).nodes);
       mesh.facts.rounding_force = facts.rounding_force;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
@@ -67,32 +63,36 @@ struct PartOfRank {
     return rows;
   }
   /// Mesh k + 1, which is cut, or which all ranks have.
-  void add(DistributedArrays& arrays, const WholeMesh& whole, std::size_t k, bool is_cut) {
+  void add(DistributedArrays& arrays, const WholeBody& of, std::size_t k) {
+    const QuasistaticMesh<Host>& whole = of.coarser[k];
+    const ListedLevel listed = of.listed.levels[k + 1];
     const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
                       patch = "patch" + number;
     Mesh& mesh = coarser[k];
     const MeshSets sets{level + ".node", tet, tet, tet};
     const auto add_set = [&](const std::string& set, index_t size) {
-      if (!is_cut) return arrays.add_replicated_set(set, size);
+      if (k + 1 >= of.cut) return arrays.add_replicated_set(set, size);
       arrays.add_set(set, size);
       arrays.follow(set, sets.node);
     };
-    add_set(tet, whole.body.tets.size());
-    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body);
-    add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body);
+    add_set(tet, listed.tets.size);
+    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed);
+    add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body, listed);
     if (whole.body.volumes.size() == 0) return;
-    add_set(patch, whole.body.volumes.size());
-    add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches);
-    add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches);
+    add_set(patch, listed.patches.size);
+    add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches, listed);
+    add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
   }
   /// Of the patches of mesh k, among those of the next coarser one.
-  template <class Patches, class WholePatches>
-  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholePatches& whole, std::size_t k) {
+  template <class Patches>
+  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholeBody& of, std::size_t k) {
+    const auto& whole = k == 0 ? of.patches : of.coarser[k - 1].patches;
+    const ListedObjects own = of.listed.levels[k].patches;
     if (whole.parents.size() == 0) return;
     const std::string number = k == 0 ? "" : in_brackets(k);
     arrays.add("patches" + number + ".parents", "patch" + number, patches.parents.contents());
     arrays.connect(patches.parents.contents(), "patch", "patch" + in_brackets(k + 1),
-                   [view = whole.parents.const_view()](index_t p) { return std::array<Index, 1>{view[p].patch()}; });
+                   patch_of(whole.parents, own, of.listed.coarser[k].patches), own.known);
   }
 };
 
@@ -130,9 +130,9 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using typename PartOfRank::Mesh;
 
  public:
-  QuasistaticOnRanks(const Ranks& ranks, const WholeBody& whole, const SolverSettings& settings,
-                     std::optional<index_t> replicated, const DistributedOptions& options)
-      : PartOfRank(ranks, whole, replicated, options),
+  QuasistaticOnRanks(const Ranks& ranks, WholeBody whole, const SolverSettings& settings,
+                     const DistributedOptions& options)
+      : PartOfRank(ranks, whole, options),
         Nested(*PartOfRank::on, settings, Types::make_material(settings, whole.body.volumes.size() > 0),
                1 + whole.coarser.size()) {
     take(*finest);

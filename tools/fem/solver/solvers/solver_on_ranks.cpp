@@ -22,7 +22,7 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
            " nodes, which is inverted as a whole; take more cells or another preconditioner");
   }
   return std::make_unique<QuasistaticOnRanks<DistributedExecutor<HostExecutor>>>(
-      ranks, WholeBody(levels, loading, settings), settings, replicated, options);
+      ranks, WholeBody(ranks, levels, loading, settings, replicated), settings, options);
 }
 
 }  // namespace physgen::fem

@@ -28,8 +28,8 @@ class SolverOnRanks : public EquilibriumSolver {
 };
 
 /// Equilibria of the scene quasistatic, on the CPU, by tets or patches. bytes() are those of this rank.
-/// @param levels the same on all ranks, as loading and settings. While this makes its arrays, each rank has those of
-/// the whole mesh, too
+/// @param levels the same on all ranks, as loading and settings. Of a box a rank makes the lists of its part alone, and
+/// those of levels that are cut may be missing (cube_levels.h); of other meshes it has those of the whole for a while
 /// @param replicated coarser meshes of more nodes are cut, too, but for the coarsest; without it those of
 /// levels_that_are_cut()
 /// @throw Error as make_scene_solver(); and for supports along axes of their own, for CUDA, and for multigrid over one
