@@ -39,7 +39,6 @@ void require_on_ranks(const Options& options) {
 #endif
   if (options.is_case()) refuse("cases (--case)", "press the cube between plates");
   if (!options.is_cube()) refuse("meshes of your own (--mesh)", "take the cube");
-  if (options.solver.device != fem::Device::cpu) refuse("--device cuda", "write --device cpu");
   if (options.scene != SceneKind::quasistatic) {
     refuse("--scene " + name_of(scene_kinds, options.scene), "write --scene quasistatic");
   }
@@ -109,6 +108,7 @@ void RanksOfRun::print_parts(const Terminal& terminal) const {
   const std::vector<std::string> lines = texts_of_all(line);
   terminal.text("   rank    own nodes       ghosts     own tets       ghosts            bytes  threads  machine");
   for (std::size_t r = 0; r < lines.size(); ++r) terminal.text(column(static_cast<index_t>(r), 7) + lines[r]);
+  terminal.line("what crosses goes by %s", solver_->transport().c_str());
 }
 
 void RanksOfRun::count(RunRecord& record) const {

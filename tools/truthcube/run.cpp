@@ -72,7 +72,8 @@ std::string digest_of(const Checkpoint& checkpoint) {
 Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages, RanksOfRun& ranks) {
   const Terminal terminal(options.quiet, ranks.is_first());
   const auto start = Clock::now();
-  const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
+  const bool starts_device = options.solver.device == fem::Device::cuda && !ranks.are_several();  // ranks take one each
+  const DeviceStart device(starts_device && !options.dry_run);
   constexpr int parts = 4;
   terminal.set_up(1, parts, "sizes");
   std::vector<std::string> notes;
@@ -152,7 +153,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
 
   terminal.set_up(4, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (options.solver.device == fem::Device::cuda) {
+  if (starts_device) {
     options.solver.before_device = [&] { needed.require_on_gpu(device); };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;

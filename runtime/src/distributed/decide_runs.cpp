@@ -184,12 +184,11 @@ void Partition::decide_computed_of(int replicated) {
           of_objects[static_cast<std::size_t>(batch.first) + k] = *middle;
         }
       });
-  // Those that name none go with the one before.
+  // Those that name none are spread evenly.
   std::vector<index_t> counts(static_cast<std::size_t>(ranks_.count()), 0);
-  int before = ranks_.rank();
-  for (const int owner : of_objects) {
-    if (owner >= 0) before = owner;
-    ++counts[static_cast<std::size_t>(before)];
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const index_t evenly = objects[k] * ranks_.count() / set.size;
+    ++counts[static_cast<std::size_t>(of_objects[k] >= 0 ? index_t{of_objects[k]} : evenly)];
   }
   const std::vector<index_t> counted = transport_->all_to_all(counts);
   const index_t of_this = std::accumulate(counted.begin(), counted.end(), index_t{0});

@@ -278,4 +278,40 @@ def the_solver_of_several_ranks_has_the_bits_of_one_process():
             assert status == 0 and found == wanted, f"{count} ranks: {found}{errors}"
 
 
+def numbers(output, name):
+    """Of the equilibria."""
+    return [float.fromhex(number) for number in re.findall(r"status 0 .*" + name + r" (\S+)", output)]
+
+
+def the_solver_of_several_gpus_has_the_bits_of_one():
+    """All that the solver hands out on CUDA is that of one rank, by NCCL and through pinned memory, also where ranks share a GPU; and
+    reactions and energies are those of the CPU."""
+    devices = int(run(program("links_gpu"), "--devices")[1])
+    if devices < 1:
+        print("skipped: there is no GPU")
+        sys.exit(77)
+    ways = [(2, "0", {"PHYSGEN_SHARE_GPU": "1"}), (3, "0", {"PHYSGEN_SHARE_GPU": "1"})]
+    if devices > 1:
+        ways += [(2, "1", {}), (2, "0", {}), (2, "1", {"PHYSGEN_LOOPS_ON_HOST": "1"})]
+    for cells, *options in (
+            ("20", "--patches", "1", "--percent", "49"),
+            ("24", "--replicate", "1000"),
+            ("24", "--patches", "1", "--percent", "49", "--replicate", "1000"),
+            ("16", "--patches", "1", "--restored", "1"),
+            ("16", "--nested", "0"),
+            ("12", "--preconditioner", "block-jacobi", "--patches", "1"),
+            ("8", "--patches", "1")):  # ranks without nodes
+        options = "--cells", cells, *options
+        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--device", "cuda")
+        assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
+        print(options, wanted)
+        on_cpu = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
+        for name in ("energy", "reaction"):
+            pairs = list(zip(numbers(wanted, name), numbers(on_cpu, name)))
+            assert len(pairs) == 2 and all(abs(a - b) <= 1e-5 * abs(b) for a, b in pairs), (name, pairs)
+        for count, nccl, environment in ways:
+            status, found, errors, _ = ranks(count, "solver_on_ranks", *options, "--device", "cuda", "--nccl", nccl, environment=environment)
+            assert status == 0 and found == wanted, f"{count} ranks, NCCL {nccl}, {environment}: {found}{errors}"
+
+
 sys.exit(run_case(globals()))

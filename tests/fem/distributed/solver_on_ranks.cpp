@@ -8,6 +8,8 @@
 //   --replicate N     coarser meshes of more nodes are cut, too
 //   --restored 1      a second solver goes on behind the first load
 //   --ordinary 1      by the ordinary solver of the scene, in one process
+//   --device cuda     on GPUs
+//   --nccl 0          through pinned memory and MPI
 #include <fem/solver/solvers/scene_solvers.h>
 #include <fem/solver/solvers/solver_on_ranks.h>
 
@@ -62,6 +64,8 @@ int main(int argc, char** argv) {
   for (const PreconditionerRow& row : preconditioner_rows) {
     if (preconditioner == row.name) settings.newton.preconditioner.kind = row.kind;
   }
+  if (word(argc, argv, "--device", "cpu") == "cuda") settings.device = Device::cuda;
+  const bool uses_nccl = asked(argc, argv, "--nccl", 1) != 0;
   const int most_nodes = asked(argc, argv, "--replicate", 0);
   const auto replicated = most_nodes > 0 ? std::optional<index_t>(most_nodes) : std::nullopt;
   const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
@@ -70,7 +74,7 @@ int main(int argc, char** argv) {
     const auto make = [&]() -> std::unique_ptr<EquilibriumSolver> {
       if (ordinary) return make_scene_solver("quasistatic", body.levels, body.loading, settings);
       return make_solver_on_ranks(ranks, body.levels, body.loading, settings, replicated,
-                                  {.poisons_stale_ghosts = true});
+                                  {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
     };
     auto solver = make();
     for (const double load : {0.4, 1.0}) {

@@ -21,6 +21,11 @@ void perform_in_place_of(On& on, index_t n, const Kernel& kernel, const Work& wo
   }
 }
 
+/// Whether an executor is told which arrays such work uses: one of several ranks, whose results must not depend on how
+/// many there are, so that sums are formed in one order.
+template <class On>
+concept OnRanks = requires(On& on, void (*work)(Stream), int kernel) { on.perform(work, kernel, index_t{}); };
+
 /// Such an executor that only counts.
 template <class On>
 concept OnlyCounts = requires { On::only_counts; };

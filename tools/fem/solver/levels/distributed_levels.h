@@ -139,7 +139,6 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
     add("correction", node, level.correction);
     add("direction", node, level.direction);
     add("power", node, level.power);
-    level.smoother.resize(1);
     const ListedLevel own = listed.of(l, graph);
     arrays.connect(
         contents_of(level.edges), "nodes", node,
@@ -178,6 +177,7 @@ template <class Levels>
   std::vector<EdgeSums> sums;
   for (std::size_t l = 0; l < graphs.size(); ++l) {
     auto& level = *levels[l];
+    level.smoother.resize(1);  // on the device that cut() took
     const ListedObjects nodes = listed.of(l, graphs[l]).nodes;
     arrays.fill(contents_of(level.constraints), [&](index_t node) {
       typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
@@ -197,13 +197,15 @@ template <class Levels>
     // Of the edges that are here; objects before the first and behind the last stand for none.
     const LocalSet& edges = arrays.objects_of(contents_of(level.edges));
     std::vector<std::array<Index, 2>> ends(static_cast<std::size_t>(edges.size()));
-    const auto view = level.edges.const_view();
+    using Edges = std::remove_cvref_t<decltype(contents_of(level.edges))>;
+    const auto& on_host = physgen::detail::in_form_of<physgen::detail::OnHost<Edges>>(contents_of(level.edges));
+    const auto view = on_host.const_view();
     for (index_t e = edges.first(); e < edges.last(); ++e) {
       for (int k = 0; k < 2; ++k) ends[at(e)][static_cast<std::size_t>(k)] = view[e].nodes()[k];
     }
     const bool has_edges = edges.first() < edges.last();
     using Real = typename std::remove_cvref_t<decltype(level.edge_stiffness)>::Precision;
-    sums.emplace_back(static_cast<Index>(level.constraints.size()), ends, SpaceKind::host, sizeof(Real),
+    sums.emplace_back(static_cast<Index>(level.constraints.size()), ends, Edges::Space::kind, sizeof(Real),
                       SumOrder::fixed, has_edges ? edges.first() : edges.size());
   }
   return sums;

@@ -7,16 +7,23 @@
 
 namespace physgen::fem {
 
+namespace detail {
+template <class On>
+inline constexpr SumOrder sum_order = OnRanks<On> ? SumOrder::fixed : SumOrder::any;
+}  // namespace detail
+
 /// df = K dx; see symmetric_product_cuda.h.
 template <PerformsIn<Cuda> On, class... Views>
 void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  on.perform([&](Stream stream) { multiply(Cuda{}, product, sums, SumOrder::any, stream); });
+  perform_in_place_of(on, product.differentials.size(), product,
+                      [&](Stream stream) { multiply(Cuda{}, product, sums, detail::sum_order<On>, stream); });
 }
 
 /// df += the edges' part of K dx.
 template <PerformsIn<Cuda> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  on.perform([&](Stream stream) { add_edges(Cuda{}, product, sums, SumOrder::any, stream); });
+  perform_in_place_of(on, product.differentials.size(), product,
+                      [&](Stream stream) { add_edges(Cuda{}, product, sums, detail::sum_order<On>, stream); });
 }
 
 }  // namespace physgen::fem

@@ -4,7 +4,11 @@
 
 #include <fem/solver/levels/distributed_levels.h>
 #include <fem/solver/solvers/solver_program.h>
+#ifdef __CUDACC__
+#include <physgen/distributed/cuda/executor.h>
+#else
 #include <physgen/distributed/executor.h>
+#endif
 
 #include <array>
 #include <functional>
@@ -145,7 +149,8 @@ void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Whol
   for (auto* positions : {&body.positions, &body.trial, &body.kept}) fill(*positions, whole.rest);
   fill(body.loads.contents(), whole.loads);
   fill(body.motion.contents(), whole.motion);
-  body.state = whole.state;
+  body.state.resize(1);
+  copy(body.state, whole.state);
   krylov.state.resize(1);
 }
 

@@ -197,6 +197,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     return {nodes.owned(), ghosts(nodes), tets.owned(), ghosts(tets)};
   }
   [[nodiscard]] Traffic traffic() const override { return on->traffic(); }
+  [[nodiscard]] std::string transport() const override {
+    if constexpr (requires { on->transport_name(); }) return on->transport_name();
+    return "MPI";
+  }
 
  private:
   template <class Array>
@@ -229,10 +233,12 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   /// Numbers of all objects, on every rank. @param element element(object, k) is number k of an object
   template <std::size_t kCount, class Array, class Element>
   [[nodiscard]] std::vector<std::array<double, kCount>> of_all_ranks(const Array& array, const Element& element) const {
+    on->wait();
     const LocalSet& objects = objects_of(array);
     const Runs& runs = objects.runs();
     std::vector<std::array<double, kCount>> mine(static_cast<std::size_t>(objects.owned()));
-    const auto view = array.const_view();
+    const auto& on_host = physgen::detail::in_form_of<physgen::detail::OnHost<Array>>(array);
+    const auto view = on_host.const_view();
     for (index_t i = objects.begin(); i < objects.end(); ++i) {
       for (std::size_t k = 0; k < kCount; ++k) {
         mine[static_cast<std::size_t>(i - objects.begin())][k] = element(view[i], static_cast<int>(k));
@@ -262,5 +268,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     return all;
   }
 };
+
+/// In a build with CUDA: see solver_on_ranks.cu.
+[[nodiscard]] std::unique_ptr<SolverOnRanks> make_cuda_solver_on_ranks(const Ranks& ranks, WholeBody whole,
+                                                                       const SolverSettings& settings,
+                                                                       const DistributedOptions& options);
 
 }  // namespace physgen::fem

@@ -15,14 +15,23 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
     throw Error("several ranks do not have " + what + ", or solve in one process");
   };
   if (levels.front().axes) refuse("supports along axes of their own; turn the body");
-  if (settings.device != Device::cpu) refuse("a solver on CUDA; choose the device cpu");
+#ifndef PHYSGEN_SOLVER_HAS_CUDA
+  if (settings.device != Device::cpu) refuse_cuda();
+#endif
   const bool inverts = settings.newton.preconditioner.kind == Preconditioner::multigrid && levels.size() == 1;
   if (inverts && levels.front().mesh.nodes <= most_coarse_nodes) {
     refuse("multigrid over one level of at most " + std::to_string(most_coarse_nodes) +
            " nodes, which is inverted as a whole; take more cells or another preconditioner");
   }
-  return std::make_unique<QuasistaticOnRanks<DistributedExecutor<HostExecutor>>>(
-      ranks, WholeBody(ranks, levels, loading, settings, replicated), settings, options);
+  WholeBody whole(ranks, levels, loading, settings, replicated);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  if (settings.device == Device::cuda) {
+    if (settings.before_device) settings.before_device();
+    return make_cuda_solver_on_ranks(ranks, std::move(whole), settings, options);
+  }
+#endif
+  return std::make_unique<QuasistaticOnRanks<DistributedExecutor<HostExecutor>>>(ranks, std::move(whole), settings,
+                                                                                 options);
 }
 
 }  // namespace physgen::fem

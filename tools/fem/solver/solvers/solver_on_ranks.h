@@ -1,5 +1,5 @@
 // The solver on several ranks (runtime/distributed.md): each has a part of the finest mesh and of large coarser ones,
-// and all have the others. Equilibria have the bits of one process.
+// and all have the others. Equilibria on the CPU have the bits of one process.
 #pragma once
 
 #include <fem/solver/quasistatic.h>
@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace physgen::fem {
@@ -25,15 +26,18 @@ class SolverOnRanks : public EquilibriumSolver {
   [[nodiscard]] virtual PartOfMesh part() const = 0;
   /// What has crossed so far, seen from this rank.
   [[nodiscard]] virtual Traffic traffic() const = 0;
+  /// By what it crosses: "MPI", or on CUDA as DistributedExecutor's transport_name() says.
+  [[nodiscard]] virtual std::string transport() const = 0;
 };
 
-/// Equilibria of the scene quasistatic, on the CPU, by tets or patches. bytes() are those of this rank.
+/// Equilibria of the scene quasistatic, by tets or patches. bytes() are those of this rank. On CUDA each rank takes a
+/// device, sums are formed in a fixed order, and equilibria have the bits of one rank.
 /// @param levels the same on all ranks, as loading and settings. Of a box a rank makes the lists of its part alone, and
 /// those of levels that are cut may be missing (cube_levels.h); of other meshes it has those of the whole for a while
 /// @param replicated coarser meshes of more nodes are cut, too, but for the coarsest; without it those of
 /// levels_that_are_cut()
-/// @throw Error as make_scene_solver(); and for supports along axes of their own, for CUDA, and for multigrid over one
-/// level that is inverted as a whole, which one process has
+/// @throw Error as make_scene_solver(); and for supports along axes of their own, for multigrid over one level that is
+/// inverted as a whole, which one process has, for CUDA in a build without it, and where ranks would share a GPU
 [[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(
     const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings,
     std::optional<index_t> replicated = {}, const DistributedOptions& options = {});

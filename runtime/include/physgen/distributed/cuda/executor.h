@@ -64,6 +64,18 @@ class DistributedExecutor<On> {
     });
   }
 
+  /// The same by a launch of the program's own: launch(first, last, stream) orders what the kernel does for these
+  /// objects.
+  template <class Kernel, class Launch>
+  void run(index_t n, const Kernel& kernel, const Launch& launch) {
+    if (ranks_.count() == 1) return launch(index_t{0}, n, stream());
+    ranks_.guard([&] {
+      const HaloSteps::Objects objects = begin(n, kernel, HaloSteps::Way::run);
+      for_ranges(objects, [&](index_t first, index_t last) { launch(first, last, stream()); });
+      steps_->end();
+    });
+  }
+
   /// The terms are those of owned objects; `then` is called on all ranks, with the same value.
   template <class Kernel, class Fold, class Then>
   void reduce(index_t n, const Kernel& kernel, Fold fold, const Then& then) {

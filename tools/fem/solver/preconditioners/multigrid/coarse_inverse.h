@@ -55,6 +55,18 @@ template <class Level>
                          level.constraints.const_view(), level.scales.const_view()};
 }
 
+/// What the inversion of a level uses.
+template <class Stiffness, class InverseView>
+struct InvertStiffness {
+  Stiffness stiffness;  ///< ScaledStiffness
+  InverseView inverse;  ///< quasistatic::CoarseInverse, written
+};
+
+template <class Level>
+[[nodiscard]] auto inverse_of(Level& level) {
+  return InvertStiffness{scaled_stiffness(level), level.coarse_inverse.view()};
+}
+
 }  // namespace detail
 
 /// z of node i = sum over nodes j of G_ij r_j.

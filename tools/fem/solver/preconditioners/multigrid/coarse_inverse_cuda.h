@@ -142,7 +142,7 @@ void invert_coarsest(On& on, Level& level) {
   const auto n = static_cast<int>(level.nodes()), edges = static_cast<int>(level.edge_count());
   const auto stiffness = detail::scaled_stiffness(level);
   const auto inverse = level.coarse_inverse.view();
-  on.perform([&](Stream stream) {
+  perform_in_place_of(on, level.nodes(), detail::inverse_of(level), [&](Stream stream) {
     if (n <= detail::most_kept_nodes) {
       const dim3 threads(detail::inverse_side, detail::inverse_side);
       detail::invert_few<<<1, threads, 0, stream>>>(n, edges, stiffness, inverse);

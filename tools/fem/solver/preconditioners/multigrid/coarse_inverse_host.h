@@ -13,18 +13,6 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// What invert_dense() uses of a level.
-template <class Stiffness, class InverseView>
-struct InvertStiffness {
-  Stiffness stiffness;  ///< ScaledStiffness
-  InverseView inverse;  ///< quasistatic::CoarseInverse, written
-};
-
-template <class Level>
-[[nodiscard]] auto inverse_of(Level& level) {
-  return InvertStiffness{scaled_stiffness(level), level.coarse_inverse.view()};
-}
-
 template <class Stiffness, class InverseView>
 void invert_dense(const InvertStiffness<Stiffness, InverseView>& of) {
   using Real = typename InverseView::Precision;

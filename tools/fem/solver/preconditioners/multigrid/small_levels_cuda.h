@@ -37,8 +37,8 @@ __device__ void sum_row(index_t thread, index_t begin, index_t end, const Kernel
 }
 
 template <class Kernel>
-__global__ void sum_rows(index_t rows, const Kernel kernel) {
-  sum_row(blockIdx.x * index_t{blockDim.x} + threadIdx.x, 0, rows, kernel);
+__global__ void sum_rows(index_t begin, index_t end, const Kernel kernel) {
+  sum_row(blockIdx.x * index_t{blockDim.x} + threadIdx.x, begin, end, kernel);
 }
 
 }  // namespace detail
@@ -46,13 +46,18 @@ __global__ void sum_rows(index_t rows, const Kernel kernel) {
 /// See row_sums.h.
 template <PerformsIn<Cuda> On, class Kernel>
 void run_rows(On& on, index_t rows, const Kernel& kernel) {
-  if (rows == 0) return;
-  constexpr int threads = 256;
-  const auto blocks = static_cast<unsigned>((rows * Kernel::lanes + threads - 1) / threads);
-  on.perform([&](Stream stream) {
-    detail::sum_rows<<<blocks, threads, 0, stream>>>(rows, kernel);
+  const auto launch = [&](index_t begin, index_t end, Stream stream) {
+    if (begin == end) return;
+    constexpr int threads = 256;
+    const auto blocks = static_cast<unsigned>(((end - begin) * Kernel::lanes + threads - 1) / threads);
+    detail::sum_rows<<<blocks, threads, 0, stream>>>(begin, end, kernel);
     cuda::check(cudaGetLastError(), "launching sums of rows");
-  });
+  };
+  if constexpr (requires { on.run(rows, kernel, launch); }) {
+    on.run(rows, kernel, launch);
+  } else {
+    on.perform([&](Stream stream) { launch(0, rows, stream); });
+  }
 }
 
 /// Runs the steps of a program by the threads of a cluster, or of one thread block, that are all there are: each block
@@ -186,6 +191,7 @@ template <class Levels, std::size_t... kNumbers>
 
 /// See cycle.h.
 template <PerformsIn<Cuda> On, class Levels>
+  requires(!OnRanks<On>)
 bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   const std::size_t count = levels.size() - l;
