@@ -57,7 +57,8 @@ struct Body {
   /// Where nodes gather: on the CPU.
   /// elasticity::CornerForces, per gathered_tet: G
   physgen::StoredArray<Stored, tags::body::corners, ::elasticity::CornerForcesArray<Real, Space>> corners;
-  /// Where forces are placed in the nodes' rows: on CUDA, if sums are to have the same bits on every run.
+  /// Where forces are placed in the nodes' rows: on CUDA, in one process, if sums are to have the same bits on every
+  /// run.
   /// elasticity::TetPlaces, per placed_tet: places
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::places, ::elasticity::TetPlacesArray<Real,
       Space>>> places;

@@ -41,7 +41,8 @@ class HaloFinder {
     if (!halos_.stated) return {};
     for (const usage::StepUse& step : usage_.steps) {
       if (step.root) continue;  // predicates and the host's values are of objects that every rank has
-      for (const KernelUse& kernel : step.kernels) this->kernel(step, kernel);
+      const std::set<std::string> own = own_sets(step);
+      for (const KernelUse& kernel : step.kernels) this->kernel(step, kernel, own);
       if (step.kernels.empty()) uses(step, {step.kernel, {}, step.fields}, {});
     }
     for (const auto& [key, row] : rows_of_table_) {
@@ -69,11 +70,12 @@ class HaloFinder {
   /// Whether every rank has all objects.
   [[nodiscard]] static bool is_replicated(const Array& array) { return array.set.empty() || array.uniform; }
 
-  /// Sets of the objects that are a kernel's own.
-  [[nodiscard]] std::set<std::string> own_sets(const KernelUse& kernel) const {
+  /// Sets of the objects that are a step's own. Kernels of a fused one run over the same objects.
+  [[nodiscard]] std::set<std::string> own_sets(const usage::StepUse& step) const {
     std::set<std::string> sets;
-    for (const FieldUse& use : kernel.fields)
-      if ((use.reads_own || use.writes_own) && !is_replicated(at(use.array))) sets.insert(at(use.array).set);
+    for (const KernelUse& kernel : step.kernels)
+      for (const FieldUse& use : kernel.fields)
+        if ((use.reads_own || use.writes_own) && !is_replicated(at(use.array))) sets.insert(at(use.array).set);
     return sets;
   }
 
@@ -91,8 +93,7 @@ class HaloFinder {
   }
 
   /// The steps of a kernel: rows of its table, and what it reads of others.
-  void kernel(const usage::StepUse& step, const KernelUse& kernel) {
-    const std::set<std::string> own = own_sets(kernel);
+  void kernel(const usage::StepUse& step, const KernelUse& kernel, const std::set<std::string>& own) {
     uses(step, kernel, own);
     for (const FieldUse& use : kernel.fields)
       if (writes_others(use) && !is_replicated(at(use.array)) && !is_unknown(use)) write(step, kernel, use, own);

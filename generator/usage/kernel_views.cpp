@@ -44,6 +44,8 @@ class Views {
       if (!ranges.empty() && !entries.empty()) views_.rows.emplace_back(ranges, entries);
     } else if (arguments_of(record, "View") != nullptr) {
       view(type);
+    } else if (arguments_of(record, "Local") != nullptr) {
+      views_.arrays.emplace_back();  // for_each_view() shows it, too
     } else {
       members(record);
     }
@@ -57,7 +59,8 @@ class Views {
   KernelViews views_;
 };
 
-/// Of the kernel's members in order: a View is one, Rows are two, structs count with their own members.
+/// Of the kernel's members in order: a View is one, as is a local of a fused kernel, Rows are two, structs count with
+/// their own members.
 KernelViews views_of(const clang::CXXRecordDecl& kernel, Names& names) {
   return Views(names).of(without_lanes(kernel));
 }

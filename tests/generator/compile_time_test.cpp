@@ -1,8 +1,10 @@
 // How much work generated code makes for compilers: one object of 1000 scalars against 10 objects of 100, each read and
 // written as a whole by a kernel in a loop. The times are printed. What is checked is what the compiler counts itself,
-// the same on every machine: instantiated functions, their names, which grow with the depth of templates, and, of g++,
-// the memory that it took.
+// the same on every machine: instantiated functions, their names, which grow with the depth of templates, and the
+// memory that the compiler took.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -50,33 +52,30 @@ std::string text_of(const std::filesystem::path& path) {
 struct Work {
   double functions = 0;
   double names = 0;   // characters of the functions' names
-  double memory = 0;  // [MiB]; 0: the compiler does not say
+  double memory = 0;  // [MiB]
   double seconds = 0;
 };
 
-// Last column of the line TOTAL of g++ -ftime-report: "304M", "1212M", "98k".
-double memory_in(const std::string& report) {
-  const auto begin = report.find(" TOTAL ");
-  if (begin == std::string::npos) return 0;
-  std::istringstream line(report.substr(begin, report.find('\n', begin) - begin));
-  std::string column;
-  while (line >> column) {
-  }
-  const double scale = column.back() == 'M' ? 1 : column.back() == 'G' ? 1024 : column.back() == 'k' ? 1.0 / 1024 : 0;
-  return scale * std::strtod(column.c_str(), nullptr);
-}
-
-// Without optimisation, so that every function is there to be counted.
+// Without optimisation, so that every function is there to be counted; and without collecting what is no longer needed,
+// so that the most memory that g++ has is all that it ever takes.
 Work compile(const std::filesystem::path& source) {
-  const std::string assembly = source.string() + ".s", report = source.string() + ".report";
-  const std::string command = "\"" PHYSGEN_COMPILER "\" -std=c++20 -O0 -ftime-report -I\"" PHYSGEN_RUNTIME_INCLUDE
-                              "\" -isystem \"" PHYSGEN_EIGEN_INCLUDE "\" -S \"" +
-                              source.string() + "\" -o \"" + assembly + "\" 2> \"" + report + "\"";
+  const std::string assembly = source.string() + ".s", said = source.string() + ".said";
+  const std::string command = "exec \"" PHYSGEN_COMPILER "\" -std=c++20 -O0 " PHYSGEN_NO_COLLECTION
+                              " -I\"" PHYSGEN_RUNTIME_INCLUDE "\" -isystem \"" PHYSGEN_EIGEN_INCLUDE "\" -S \"" +
+                              source.string() + "\" -o \"" + assembly + "\" 2> \"" + said + "\"";
   const auto begin = std::chrono::steady_clock::now();
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command + "\n" + text_of(report));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  int status = 0;
+  rusage used{};
+  if (::wait4(child, &status, 0, &used) != child || status != 0)
+    throw std::runtime_error("failed: " + command + "\n" + text_of(said));
   Work work;
   work.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  work.memory = memory_in(text_of(report));
+  work.memory = static_cast<double>(used.ru_maxrss) / 1024;
   std::ifstream in(assembly);
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with("_Z") || line.find(':') == std::string::npos) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "arrays.h"
 #include "choices.h"
 #include "scene_choice.h"
 
@@ -36,6 +37,24 @@ void choose_output(Options& options, const Given& given) {
   options.output = found->second;
 }
 
+/// @throw Error when the case has what the arrays of a scene of its own have not
+void require_arrays_for(const Options& options) {
+  const fem::SceneRow* const row = equilibrium_row(options.scene);
+  if (row == nullptr) return;
+  const Case& read = options.given_case;
+  const auto refuse = [&](const std::string& place, const std::string& what) {
+    throw Error("case " + options.case_file.string() + ": " + place + ": --scene " +
+                name_of(scene_kinds, options.scene) + " " + what + "; take --scene everything");
+  };
+  if (!read.law.empty() && read.law != row->material) {
+    refuse("material.law", "has no " + read.law + ", but " + row->material);
+  }
+  if (!read.of_groups.empty()) refuse("material.groups", "has one material");
+  if (std::ranges::any_of(read.load_case.pressures, &fem::GroupPressure::follows)) {
+    refuse("loads", "has no pressures that follow the surface");
+  }
+}
+
 }  // namespace
 
 void apply_case(Options& options, const Given& given) {
@@ -45,9 +64,9 @@ void apply_case(Options& options, const Given& given) {
          "its groups hold and load the body, and no plates");
   refuse(given, {"--beads"}, "only the cube has beads: name probes in the file");
   refuse(given, {"--historical", "--repeat", "--restart"}, "it is for runs between plates");
-  if (options.scene != SceneKind::everything && options.scene != SceneKind::linear_elastic) {
+  if (options.moves()) {
     throw Error("--case cannot take --scene " + name_of(scene_kinds, options.scene) +
-                ", which moves or is for plates; take --scene everything or linear-elastic");
+                ", which moves; take --scene everything, linear-elastic or quasistatic");
   }
   Case& read = options.given_case;
   read = read_case(options.case_file);
@@ -59,6 +78,7 @@ void apply_case(Options& options, const Given& given) {
     options.solver.materials.insert(options.solver.materials.end(), read.of_groups.begin(), read.of_groups.end());
   }
   if (!read.output.empty()) choose_output(options, given);
+  require_arrays_for(options);
   if (read.law.empty()) return;
   if (options.scene == SceneKind::linear_elastic) {
     throw Error("case " + options.case_file.string() + ": material.law: --scene linear-elastic has a law of its own; " +

@@ -1,6 +1,7 @@
 #include "case_run.h"
 
 #include <fem/solver/loads/pressed_faces.h>
+#include <fem/solver/solvers/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <chrono>
@@ -18,6 +19,7 @@
 #include "needed_memory.h"
 #include "output/case_tables.h"
 #include "output/folder_lock.h"
+#include "output/hash.h"
 #include "output/run_json.h"
 #include "parse.h"
 #include "run_files.h"
@@ -43,15 +45,16 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class CaseSteps {
  public:
   CaseSteps(const Options& options, const Scene& scene, fem::EquilibriumSolver& solver, RunRecord& record,
-            std::vector<fem::Location> locations, const Terminal& terminal)
+            std::vector<fem::Location> locations, const Terminal& terminal, const RanksOfRun& ranks)
       : options_(options),
         scene_(scene),
         solver_(solver),
         record_(record),
         locations_(std::move(locations)),
         axes_(axes_of(scene, options.given_case)),
-        terminal_(terminal) {
-    if (options.out.empty()) return;
+        terminal_(terminal),
+        ranks_(ranks) {
+    if (options.out.empty() || !ranks.is_first()) return;
     write_order_of(options.out, scene);
     viewers_.emplace(options, scene, 0);
     write_tables();
@@ -60,7 +63,7 @@ class CaseSteps {
   [[nodiscard]] Outcome run() {
     const Interrupts interrupts;
     for (const double load : options_.given_case.steps) {
-      if (interrupted != 0) return stop();
+      if (ranks_.any(interrupted != 0)) return stop();
       terminal_.line("load %g", load);
       terminal_.newton_header();
       const auto begin = Clock::now();
@@ -71,7 +74,7 @@ class CaseSteps {
           newton.push_back(
               {static_cast<int>(level), step.iterations, step.residual, step.energy, step.smallest_J, step.seconds});
           terminal_.newton_step(level, step);
-          if (interrupted != 0) throw Interrupt{};
+          if (ranks_.any(interrupted != 0)) throw Interrupt{};
         });
       } catch (const Interrupt&) {
         return stop();
@@ -101,8 +104,11 @@ class CaseSteps {
     states_.push_back(state);
     step.at = std::move(state);
     record_.steps.push_back(std::move(step));
+    if (options_.out.empty()) return;
+    ranks_.count(record_);
+    const auto stresses = solver_.stresses();  // of all ranks
     if (!viewers_) return;
-    viewers_->write_step(static_cast<double>(states_.size()), positions, solver_.stresses());
+    viewers_->write_step(static_cast<double>(states_.size()), positions, stresses);
     write_tables();
   }
 
@@ -133,16 +139,15 @@ class CaseSteps {
   }
 
   [[nodiscard]] Outcome stop() const {
-    terminal_.line("interrupted; %zu steps are %s", states_.size(), viewers_ ? "written" : "done");
+    terminal_.line("interrupted; %zu steps are %s", states_.size(), options_.out.empty() ? "done" : "written");
     return Outcome::interrupted;
   }
 
   [[nodiscard]] Outcome fail(double load, const fem::NewtonResult& result) const {
     const fem::MeshLevel& level = scene_.levels.front();
-    std::fprintf(
-        stderr,
+    terminal_.error(
         "truthcube: no equilibrium at a load of %g: %s, after %d Newton steps, with a residual of %.2e; the last "
-        "equilibrium is at %g.\nThere, %s.\nTry more and smaller steps in the case, %sor a finer mesh.\n",
+        "equilibrium is at %g.\nThere, %s.\nTry more and smaller steps in the case, %sor a finer mesh.",
         load, reason(result.status), result.steps, result.residual, solver_.load(),
         truthcube::describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_)
             .c_str(),
@@ -157,19 +162,23 @@ class CaseSteps {
   std::vector<fem::Location> locations_;
   std::vector<std::optional<Point>> axes_;
   const Terminal& terminal_;
-  std::optional<ViewersFile> viewers_;
+  const RanksOfRun& ranks_;
+  std::optional<ViewersFile> viewers_;  // of the rank that writes
   std::vector<CaseState> states_;
 };
 
 }  // namespace
 
-Outcome run_case(Options options, const std::string& command, const fem::Stages& stages) {
-  const Terminal terminal(options.quiet);
+Outcome run_case(Options options, const std::string& command, const fem::Stages& stages, RanksOfRun& ranks) {
+  const Terminal terminal(options.quiet, ranks.is_first());
   const auto start = Clock::now();
-  const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
+  const bool starts_device = options.solver.device == fem::Device::cuda && !ranks.are_several();  // ranks take one each
+  const DeviceStart device(starts_device && !options.dry_run);
   constexpr int parts = 3;
   terminal.set_up(1, parts, "the mesh");
   std::vector<std::string> notes;
+  ranks.agree("case", options.given_case.text);
+  ranks.require_readable(options.mesh);
   GivenMesh given = read_mesh(options, notes);
   bring_into_order(given, options);
   const Scene scene = make_case_scene(options, std::move(given));
@@ -186,28 +195,35 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   }
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
-    return Outcome::done;
+    if (!ranks.are_several()) return Outcome::done;
+    options.out.clear();  // they make their parts to count them
   }
-  const NeededMemory needed(options, bytes);
+  const NeededMemory needed(options, bytes, ranks.on_this_machine());
   needed.require(options, device);
   terminal.set_up(2, parts, "files");
   std::optional<FolderLock> lock;
-  if (!options.out.empty()) {
+  if (!options.out.empty() && ranks.is_first()) {
     if (options.set_up_only) require_no_run(options.out);
     require_writable(options.out);
     lock.emplace(options.out);
   }
   const fem::MeshLevel& finest = scene.levels.front();
+  if (ranks.are_several()) ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
   std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
   terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (options.solver.device == fem::Device::cuda) {
+  if (starts_device) {
     options.solver.before_device = [&] { needed.require_on_gpu(device); };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;
-  if (options.scene == SceneKind::linear_elastic) {
-    solver = fem::make_linear_solver(scene.levels, scene.history.at(1), options.solver);
+  const fem::Loading loading = scene.history.at(1);
+  if (ranks.are_several()) {
+    solver = ranks.make_solver(arrays_of(options), scene.levels, loading, options.solver);
+  } else if (options.scene == SceneKind::linear_elastic) {
+    solver = fem::make_linear_solver(scene.levels, loading, options.solver);
+  } else if (const fem::SceneRow* row = equilibrium_row(options.scene)) {
+    solver = fem::make_scene_solver(row->name, scene.levels, loading, options.solver);
   } else {
-    solver = fem::make_solver(scene.levels, scene.history.at(1), options.solver);
+    solver = fem::make_solver(scene.levels, loading, options.solver);
   }
   if (!scene.history.parts.empty()) {
     solver = fem::follow(std::move(solver), scene.history, options.solver.most_bisections);
@@ -217,6 +233,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   record.nodes = finest.mesh.nodes;
   record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
   record.bytes = solver->bytes();
+  ranks.count(record);
   record.device = fem::device_name(options.solver.device);
   record.layout = built_layout();
   record.command = command;
@@ -226,11 +243,16 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; set up in %.2f s", static_cast<long long>(record.tets),
                 static_cast<long long>(record.nodes), scene.levels.size(), record.device.c_str(), record.setup_seconds);
   if (options.prints_timings()) print_timings(record.stages, terminal);
-  if (options.set_up_only) {
-    write_set_up(options.out, record);
+  if (ranks.are_several()) ranks.print_parts(terminal);
+  if (options.dry_run) {
+    ranks.print_iteration(terminal);
     return Outcome::done;
   }
-  return CaseSteps(options, scene, *solver, record, std::move(locations), terminal).run();
+  if (options.set_up_only) {
+    if (ranks.is_first()) write_set_up(options.out, record);
+    return Outcome::done;
+  }
+  return CaseSteps(options, scene, *solver, record, std::move(locations), terminal, ranks).run();
 }
 
 }  // namespace physgen::truthcube

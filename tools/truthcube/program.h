@@ -52,11 +52,16 @@ template <class Parse, class Run>
   for (const std::string& word : arguments) command += " " + quoted(word);
   ranks.agree("command", command);  // first: where one rank alone refused its words, the others would wait for it
   decltype(parse(arguments)) options;
+  std::string wrong;
   try {
     options = parse(arguments);
   } catch (const std::exception& error) {
+    wrong = text_of(error);
+  }
+  ranks.agree("error in its command", wrong.empty() ? "none" : wrong);  // such as a file that others have
+  if (!wrong.empty()) {
     if (!ranks.is_first()) return 2;
-    std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), text_of(error).c_str(), name.c_str());
+    std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), wrong.c_str(), name.c_str());
     return 2;
   }
   if (!options.help.empty()) {

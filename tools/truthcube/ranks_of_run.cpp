@@ -1,17 +1,21 @@
 #include "ranks_of_run.h"
 
 #include <fem/solver/levels/layers_of_levels.h>
-#include <fem/solver/solvers/solver_on_ranks.h>
+#include <fem/solver/solvers/solvers_on_ranks.h>
 #include <physgen/error.h>
 #include <physgen/launch/processors.h>
 #include <physgen/threads.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <numeric>
 #include <span>
 
+#include "arrays.h"
 #include "scene_choice.h"
 
 namespace physgen::truthcube {
@@ -37,10 +41,9 @@ void require_on_ranks(const Options& options) {
 #ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
   refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
 #endif
-  if (options.is_case()) refuse("cases (--case)", "press the cube between plates");
-  if (!options.is_cube()) refuse("meshes of your own (--mesh)", "take the cube");
-  if (options.scene != SceneKind::quasistatic) {
-    refuse("--scene " + name_of(scene_kinds, options.scene), "write --scene quasistatic");
+  const bool on_cuda = options.solver.device == fem::Device::cuda;
+  if (equilibrium_row(options.scene) == nullptr || (on_cuda && options.scene != SceneKind::quasistatic)) {
+    refuse("--scene " + name_of(scene_kinds, options.scene) + (on_cuda ? " on CUDA" : ""), "write --scene quasistatic");
   }
 }
 
@@ -56,6 +59,12 @@ RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(rank
   if (options.threads == 0 && std::getenv("OMP_NUM_THREADS") == nullptr) {
     set_threads(std::max(1, allowed_processors() / sharing));
   }
+}
+
+void RanksOfRun::require_readable(const std::filesystem::path& mesh) const {
+  if (!are_several() || ::access(mesh.c_str(), R_OK) == 0) return;
+  throw Error("cannot read the mesh " + mesh.string() + ": " + std::strerror(errno) +
+              "; each rank reads it, so put it where all machines find it by this name");
 }
 
 bool RanksOfRun::any(bool is_so) const {
@@ -79,12 +88,26 @@ std::vector<std::string> RanksOfRun::texts_of_all(const std::string& mine) const
   return texts;
 }
 
+void RanksOfRun::print_table(const Terminal& terminal, const std::string& head, const std::vector<index_t>& mine,
+                             const std::string& last) const {
+  const auto column = [](index_t number, std::size_t width) {
+    const std::string text = std::to_string(number);
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+  };
+  std::string line;
+  for (const index_t number : mine) line += column(number, 13);
+  const std::vector<std::string> lines = texts_of_all(line + "  " + last);
+  terminal.text("   rank" + head);
+  for (std::size_t r = 0; r < lines.size(); ++r) terminal.text(column(static_cast<index_t>(r), 7) + lines[r]);
+}
+
 #ifdef PHYSGEN_TRUTHCUBE_HAS_RANKS
 
-std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& levels,
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::string& scene,
+                                                                const std::vector<fem::MeshLevel>& levels,
                                                                 const fem::Loading& loading,
                                                                 const fem::SolverSettings& settings) {
-  auto solver = fem::make_solver_on_ranks(ranks_, levels, loading, settings, replicated_);
+  auto solver = fem::make_solver_on_ranks(ranks_, scene, levels, loading, settings, replicated_);
   solver_ = solver.get();
   return solver;
 }
@@ -93,22 +116,25 @@ std::size_t RanksOfRun::levels_without_lists(const Options& options, const std::
   if (!are_several() || options.output == Output::surface) return 0;  // a surface is found by rows of tets
   std::vector<index_t> nodes;
   for (const LevelCounts& level : counts) nodes.push_back(level.nodes);
-  return fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
+  const std::size_t cut = fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
+  return std::min(cut, counts.size() - 1);  // by the edges of the coarsest, plates know how near nodes are theirs
 }
 
 void RanksOfRun::print_parts(const Terminal& terminal) const {
   const fem::PartOfMesh part = solver_->part();
-  const auto column = [](index_t number, std::size_t width) {
-    const std::string text = std::to_string(number);
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-  };
-  const std::string line = column(part.owned_nodes, 13) + column(part.ghost_nodes, 13) + column(part.owned_tets, 13) +
-                           column(part.ghost_tets, 13) + column(solver_->bytes(), 17) + column(threads(), 9) + "  " +
-                           ranks_.host();
-  const std::vector<std::string> lines = texts_of_all(line);
-  terminal.text("   rank    own nodes       ghosts     own tets       ghosts            bytes  threads  machine");
-  for (std::size_t r = 0; r < lines.size(); ++r) terminal.text(column(static_cast<index_t>(r), 7) + lines[r]);
-  terminal.line("what crosses goes by %s", solver_->transport().c_str());
+  print_table(terminal,
+              "    own nodes       ghosts     own tets       ghosts   neighbours        bytes      threads  machine",
+              {part.owned_nodes, part.ghost_nodes, part.owned_tets, part.ghost_tets, part.neighbours, solver_->bytes(),
+               threads()},
+              ranks_.host());
+}
+
+void RanksOfRun::print_iteration(const Terminal& terminal) const {
+  const Traffic traffic = solver_->traffic_of_iteration();
+  terminal.line("in a PCG iteration: %lld exchanges, %lld gathers", static_cast<long long>(traffic.exchanges),
+                static_cast<long long>(traffic.gathers));
+  print_table(terminal, "     messages        bytes     gathered  sent by",
+              {traffic.messages, traffic.bytes, traffic.gathered_bytes}, ranks_.host());
 }
 
 void RanksOfRun::count(RunRecord& record) const {
@@ -127,7 +153,8 @@ void RanksOfRun::count(RunRecord& record) const {
 
 #else
 
-std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::vector<fem::MeshLevel>& /*levels*/,
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::string& /*scene*/,
+                                                                const std::vector<fem::MeshLevel>& /*levels*/,
                                                                 const fem::Loading& /*loading*/,
                                                                 const fem::SolverSettings& /*settings*/) {
   throw Error("this build has no solver on several ranks");
@@ -137,6 +164,7 @@ std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,
   return 0;
 }
 void RanksOfRun::print_parts(const Terminal& /*terminal*/) const {}
+void RanksOfRun::print_iteration(const Terminal& /*terminal*/) const {}
 void RanksOfRun::count(RunRecord& /*record*/) const {}
 
 #endif

@@ -5,6 +5,7 @@
 #include <physgen/distributed/ranks.h>
 #include <physgen/distributed/transport.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ class RanksOfRun {
   [[nodiscard]] bool is_first() const { return ranks_.is_first(); }
   [[nodiscard]] bool are_several() const { return ranks_.count() > 1; }
   [[nodiscard]] int on_this_machine() const { return on_this_machine_; }
+  /// @throw Error on a rank of several that cannot read it, with the reason
+  void require_readable(const std::filesystem::path& mesh) const;
   /// Whether it is so on any rank.
   [[nodiscard]] bool any(bool is_so) const;
   /// See Ranks::agree().
@@ -44,17 +47,24 @@ class RanksOfRun {
   [[nodiscard]] std::size_t levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const;
 
   /// The solver of several ranks, which print_parts() and count() ask: it lives as long as they are called.
-  [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::vector<fem::MeshLevel>& levels,
+  [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::string& scene,
+                                                                    const std::vector<fem::MeshLevel>& levels,
                                                                     const fem::Loading& loading,
                                                                     const fem::SolverSettings& settings);
   /// A line for each rank: its machine, its part of the finest mesh, and its bytes. @pre make_solver()
   void print_parts(const Terminal& terminal) const;
+  /// A line for each rank: what it sends in an iteration of conjugate gradients, some of which this does.
+  /// @pre make_solver()
+  void print_iteration(const Terminal& terminal) const;
   /// The number of ranks, and what has crossed, of several. @pre make_solver()
   void count(RunRecord& record) const;
 
  private:
   /// The texts of all ranks.
   [[nodiscard]] std::vector<std::string> texts_of_all(const std::string& mine) const;
+  /// The numbers of all ranks, below this head, each in a column. @param last text behind them
+  void print_table(const Terminal& terminal, const std::string& head, const std::vector<index_t>& mine,
+                   const std::string& last) const;
 
   const Ranks& ranks_;
   std::unique_ptr<Transport> transport_;

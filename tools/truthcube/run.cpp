@@ -79,6 +79,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   std::vector<std::string> notes;
   Scene scene;
   if (!options.is_cube()) {
+    ranks.require_readable(options.mesh);
     if (options.restart) require_last_order(options);
     GivenMesh given = read_mesh(options, notes);
     bring_into_order(given, options);
@@ -161,7 +162,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
   } else if (ranks.are_several()) {
-    solver = ranks.make_solver(scene.levels, scene.loading, options.solver);
+    solver = ranks.make_solver(arrays, scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
   } else if (arrays != "everything") {
@@ -188,7 +189,10 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (options.prints_timings()) print_timings(record.stages, terminal);
   terminal.text(describe(scene.plates));
   if (ranks.are_several()) ranks.print_parts(terminal);
-  if (options.dry_run) return Outcome::done;
+  if (options.dry_run) {
+    ranks.print_iteration(terminal);
+    return Outcome::done;
+  }
   if (options.set_up_only) {
     if (ranks.is_first()) write_set_up(options.out, record);
     return Outcome::done;
@@ -218,7 +222,7 @@ Outcome run(Options options, const std::string& command, const Ranks& ranks) {
     if (options.replicate > 0 && !together.are_several()) {
       options.notes.emplace_back("--replicate is of several ranks; one process has the whole of all meshes");
     }
-    return options.is_case() ? run_case(std::move(options), command, stages)
+    return options.is_case() ? run_case(std::move(options), command, stages, together)
                              : run_recorded(std::move(options), command, stages, together);
   } catch (const MemoryError& error) {
     throw Error("the memory ended" + in_stage() + ": " + text_of(error));

@@ -58,6 +58,18 @@ void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
   }
 }
 
+/// @throw Error where multigrid needs a background grid, and the scene has none
+void require_scene_with_grid(const Options& options, const Scene& scene) {
+  const bool has_no_grid =
+      options.scene == SceneKind::quasistatic || options.scene == SceneKind::quasistatic_fixed_corotated;
+  if (scene.grid[0] > 0 && has_no_grid) {
+    throw Error("multigrid of this mesh needs a background grid, which --scene " + name_of(scene_kinds, options.scene) +
+                " does not have; add --preconditioner block-jacobi, or take --scene everything" +
+                (options.is_case() ? "" : " --material " + options.solver.material) +
+                " --precision float, which has one");
+  }
+}
+
 }  // namespace
 
 GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
@@ -145,13 +157,7 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   if (!options.is_cube() && options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);
   }
-  const bool has_no_grid =
-      options.scene == SceneKind::quasistatic || options.scene == SceneKind::quasistatic_fixed_corotated;
-  if (scene.grid[0] > 0 && has_no_grid) {
-    throw Error("multigrid of this mesh needs a background grid, which --scene " + name_of(scene_kinds, options.scene) +
-                " does not have; add --preconditioner block-jacobi, or take --scene everything --material " +
-                options.solver.material + " --precision float, which has one");
-  }
+  require_scene_with_grid(options, scene);
   return scene;
 }
 
@@ -168,6 +174,7 @@ Scene make_case_scene(const Options& options, GivenMesh given) {
   if (options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);
   }
+  require_scene_with_grid(options, scene);
   return scene;
 }
 

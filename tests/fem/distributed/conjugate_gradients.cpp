@@ -163,8 +163,8 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   Krylov krylov;
   krylov.allocate({.node = 0});
   DistributedArrays arrays(ranks, rows);
-  std::size_t cut = levels_that_are_cut(cube.graphs, ranks.count());
-  while (options.replicate > 0 && cut < cube.graphs.size() && cube.graphs[cut].nodes > options.replicate) ++cut;
+  const auto replicated = options.replicate > 0 ? std::optional<index_t>(options.replicate) : std::nullopt;
+  const std::size_t cut = levels_that_are_cut(cube.graphs, ranks.count(), replicated);
   add_levels(arrays, levels, cube.graphs, cut);
   arrays.add("krylov.step", "level[0].node", krylov.step);
   arrays.add("krylov.residual", "level[0].node", krylov.residual);

@@ -86,8 +86,7 @@ struct Contact : NothingBesides {
   }
 
   [[nodiscard]] std::size_t cut(std::span<const LevelGraph> graphs, int ranks) {
-    levels_cut = levels_that_are_cut(graphs, ranks, replicate);
-    while (levels_cut < graphs.size() && graphs[levels_cut].nodes > replicate) ++levels_cut;
+    levels_cut = levels_that_are_cut(graphs, ranks, replicated(replicate));
     return levels_cut;
   }
   void add_to(DistributedArrays& arrays) {
@@ -155,7 +154,7 @@ void run(const Ranks& ranks, Index cells, const Options& options, bool is_ordina
 int main(int argc, char** argv) {
   const Options options{static_cast<std::size_t>(asked(argc, argv, "--levels", 1)),
                         static_cast<std::size_t>(asked(argc, argv, "--planes", 99)),
-                        asked(argc, argv, "--replicate", int{replicated_nodes})};
+                        asked(argc, argv, "--replicate", 0)};
   return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool /*patches*/, bool ordinary) {
     run(ranks, cells, options, ordinary);
   });

@@ -9,6 +9,7 @@
 
 #include <random>
 #include <string>
+#include <utility>
 
 namespace physgen::fem {
 namespace {
@@ -96,6 +97,7 @@ void expect_part(const std::vector<MeshLevel>& given, const std::vector<MeshLeve
     expect_rows("tets of edges", list_of(parts.edge_tets), list_of(all_parts.edge_tets), own.edges, all_by(own.tets));
     if (all.patches.nodes.empty()) continue;
     expect_rows("patches of edges", parts.edge_patches, all_parts.edge_patches, own.edges, all_by(own.patches));
+    expect_rows("patches of nodes", make_node_patches(here), make_node_patches(all), own.nodes, all_by(own.patches));
     expect_rows("tets of patches", here.patches.patch_tets, all.patches.patch_tets, own.patches, all_by(own.tets));
     for (std::size_t p = 0; p < here.patches.nodes.size(); ++p) {
       ASSERT_EQ(moved(here.patches.nodes[p], own.nodes), all.patches.nodes[p + at(own.patches.offset)]);
@@ -146,6 +148,33 @@ TEST(PartOfLevels, of_a_large_box_is_a_part) {
     const PartOfLevels part = part_of_levels(levels, 1, rank, 4);
     EXPECT_LE(part.levels.front().mesh.tets.size() * 2, levels.front().mesh.tets.size()) << "rank " << rank;
   }
+}
+
+TEST(PartOfLevels, without_edges_has_the_same_nodes_and_parents) {
+  const std::vector<MeshLevel> levels = make_cube_levels_without_lists(16, 1, true, 2, 2);
+  for (int rank = 0; rank < 3; ++rank) {
+    const PartOfLevels part = part_of_levels(levels, 2, rank, 3, false),
+                       with_edges = part_of_levels(levels, 2, rank, 3);
+    ASSERT_EQ(part.graphs.size(), levels.size());
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      const ListedLevel &own = part.listed.levels[l], &wanted = with_edges.listed.levels[l];
+      EXPECT_EQ(own.edges.size, 0);
+      EXPECT_TRUE(part.graphs[l].edges.empty());
+      for (const auto [a, b] : {std::pair(own.nodes, wanted.nodes), std::pair(own.tets, wanted.tets),
+                                std::pair(own.patches, wanted.patches)}) {
+        EXPECT_EQ(a.size, b.size);
+        EXPECT_EQ(a.offset, b.offset);
+        EXPECT_EQ(a.known.first, b.known.first);
+        EXPECT_EQ(a.known.last, b.known.last);
+      }
+      EXPECT_EQ(part.graphs[l].parents, with_edges.graphs[l].parents);
+      EXPECT_EQ(part.graphs[l].fixed, with_edges.graphs[l].fixed);
+    }
+  }
+}
+
+TEST(PartOfLevels, of_a_box_needs_the_lists_of_levels_that_are_not_cut) {
+  EXPECT_THROW((void)part_of_levels(make_cube_levels_without_lists(8, 1, true, 2, 2), 1, 0, 2), Error);
 }
 
 TEST(PartOfLevels, of_other_meshes_is_the_whole_and_needs_lists) {

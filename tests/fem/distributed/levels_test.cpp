@@ -24,6 +24,9 @@ TEST(LevelsThatAreCut, are_the_finest_and_those_that_are_large_for_the_ranks) {
   EXPECT_EQ(levels_that_are_cut(graphs_of({357911, 50653, 6859}), 2), 1U) << "36^3 cells stand on every rank";
   EXPECT_EQ(levels_that_are_cut(graphs_of({357911, 50654, 6859}), 2), 2U);
   EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 40000}), 2, 30000), 3U);
+  EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 117649, 15625}), 8, 30000), 2U) << "what is asked for counts alone";
+  EXPECT_EQ(levels_that_are_cut(graphs_of({729, 125}), 8, 1), 1U) << "none that is inverted";
+  EXPECT_EQ(levels_that_are_cut(graphs_of({2197, 343}), 8, 1), 2U);
   EXPECT_EQ(levels_that_are_cut(graphs_of({912673, 20000, 117649}), 2), 1U) << "none below one that is not";
   std::vector<LevelGraph> on_grid = graphs_of({912673, 117649, 117649});
   on_grid[2].is_grid = true;

@@ -30,7 +30,7 @@ struct Options {
   Options(int argc, char** argv)
       : percent(asked(argc, argv, "--percent", 45)),
         nested(asked(argc, argv, "--nested", 1)),
-        replicate(asked(argc, argv, "--replicate", int{replicated_nodes})),
+        replicate(asked(argc, argv, "--replicate", 0)),
         steps(asked(argc, argv, "--steps", 60)),
         without(asked(argc, argv, "--without", -1)) {}
 
@@ -68,8 +68,7 @@ struct PressedCube : NothingBesides {
   }
 
   [[nodiscard]] std::size_t cut(std::span<const LevelGraph> graphs, int ranks) {
-    levels_cut = levels_that_are_cut(graphs, ranks);
-    while (levels_cut < graphs.size() && graphs[levels_cut].nodes > options.replicate) ++levels_cut;
+    levels_cut = levels_that_are_cut(graphs, ranks, replicated(options.replicate));
     return levels_cut;
   }
   void change(std::vector<HaloUse>& rows) const {

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "../solver/scene_groups.h"
@@ -153,6 +154,8 @@ inline int asked(int argc, char** argv, const std::string& option, int otherwise
   }
   return otherwise;
 }
+/// `most` as levels_that_are_cut() takes it. @param most 0: it says itself
+inline std::optional<index_t> replicated(int most) { return most > 0 ? std::optional<index_t>(most) : std::nullopt; }
 /// What main() does. @param run run(ranks, cells, patches, ordinary) with what the command line says
 template <class Run>
 int run_as_asked(int argc, char** argv, const Run& run) {

@@ -159,6 +159,36 @@ def newton_by_tets_has_the_bits_of_one_process():
             expect_traffic(steps, on_ranks(count, "newton_by_tets", wanted, "--cells", cells), 1)
 
 
+def explicit_steps_have_the_bits_of_one_process():
+    """Twenty steps of symplectic Euler: energies and momentum of each, displacements, velocities and forces. In each step the displacements
+    cross once, for forces and energies, and two sums are made."""
+    for cells, counts in (("20", (1, 2, 4, 8)), ("3", (4,))):
+        wanted, _, _, _ = newton(run(program("explicit_steps_without_mpi"), "--cells", cells, "--ordinary", "1"))
+        kinetic = [float.fromhex(line.split()[2]) for line in wanted if line.startswith("step kinetic ")]
+        print("\n".join(wanted))
+        assert len(kinetic) == len(set(kinetic)) == 20 and 0 < min(kinetic) and max(kinetic) < 10, wanted
+        assert newton(run(program("explicit_steps_without_mpi"), "--cells", cells))[0] == wanted, "the build without MPI"
+        for count in counts:
+            traffic = on_ranks(count, "explicit_steps", wanted, "--cells", cells)
+            assert len(traffic) == 20 and (count == 1 or all(step == (1, 2) for step in traffic[2:])), traffic
+
+
+def linear_elasticity_has_the_bits_of_one_process():
+    """Two loads of linear elastic bodies: by tets with block Jacobi, and assembled with multigrid. By tets the displacements cross once behind
+    each solve and directions once for each iteration, which has two sums."""
+    for cells, options, counts in (("20", (), (1, 2, 4, 8)), ("3", (), (4,)), ("20", ("--levels", "3"), (2, 3, 8)),
+                                   ("24", ("--levels", "4", "--replicate", "1000"), (2,))):
+        wanted = newton(run(program("linear_elastic_without_mpi"), "--cells", cells, *options, "--ordinary", "1"))[0]
+        print("\n".join(wanted))
+        loads = [list(map(int, re.findall(r"\d+", line)[:2])) for line in wanted if line.startswith("load ")]
+        assert len(loads) == 2 and all(status == 1 and iterations > 3 for iterations, status in loads), wanted
+        assert newton(run(program("linear_elastic_without_mpi"), "--cells", cells, *options))[0] == wanted, "the build without MPI"
+        for count in counts:
+            traffic = on_ranks(count, "linear_elastic", wanted, "--cells", cells, *options)
+            if not options and count > 1:
+                assert traffic[1] == (loads[1][0] + 1, 2 * loads[1][0] + 6), (loads, traffic)
+
+
 def implicit_steps_have_the_bits_of_one_process():
     """The same of steps of backward Euler, with block Jacobi and with multigrid: also of velocities, and of the kinetic energy of each."""
     for cells, options, counts in (("20", (), (2, 4)), ("3", (), (4,)), ("20", ("--levels", "3"), (2, 3))):
@@ -252,66 +282,6 @@ def multigrid_in_newton_has_the_bits_of_one_process():
         number = next(line.split()[0] for line in rows if line.endswith(row))
         status, output, errors, _ = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
         assert status == 0 and re.search(r"\brz -?nan\b", output) and "result status 0" not in output, f"without {row}: {output}{errors}"
-
-
-def the_solver_of_several_ranks_has_the_bits_of_one_process():
-    """All that the solver of the scene quasistatic hands out is that of one process, on every rank: nested or not, by tets and patches, under
-    each preconditioner, also of a solver that goes on from the state of another."""
-    for cells, counts, *options in (
-            ("20", (1, 3), "--patches", "1", "--percent", "49"),
-            ("20", (2, 4)),
-            ("24", (2, 3), "--replicate", "1000"),  # meshes of 12^3 cells are cut, too
-            ("24", (3,), "--patches", "1", "--percent", "49", "--replicate", "1000"),
-            ("16", (2,), "--patches", "1", "--percent", "49", "--restored", "1"),
-            ("16", (3,), "--restored", "1"),
-            ("16", (2,), "--patches", "1", "--nested", "0"),
-            ("12", (2,), "--preconditioner", "block-jacobi", "--patches", "1"),
-            ("12", (2,), "--preconditioner", "none"),
-            ("8", (4,), "--patches", "1")):  # ranks without nodes
-        options = "--cells", cells, *options
-        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--ordinary", "1")
-        assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
-        assert (" coarser " in wanted) == ("level 1" in wanted), wanted
-        print(options, wanted)
-        for count in counts:
-            status, found, errors, _ = ranks(count, "solver_on_ranks", *options)
-            assert status == 0 and found == wanted, f"{count} ranks: {found}{errors}"
-
-
-def numbers(output, name):
-    """Of the equilibria."""
-    return [float.fromhex(number) for number in re.findall(r"status 0 .*" + name + r" (\S+)", output)]
-
-
-def the_solver_of_several_gpus_has_the_bits_of_one():
-    """All that the solver hands out on CUDA is that of one rank, by NCCL and through pinned memory, also where ranks share a GPU; and
-    reactions and energies are those of the CPU."""
-    devices = int(run(program("links_gpu"), "--devices")[1])
-    if devices < 1:
-        print("skipped: there is no GPU")
-        sys.exit(77)
-    ways = [(2, "0", {"PHYSGEN_SHARE_GPU": "1"}), (3, "0", {"PHYSGEN_SHARE_GPU": "1"})]
-    if devices > 1:
-        ways += [(2, "1", {}), (2, "0", {}), (2, "1", {"PHYSGEN_LOOPS_ON_HOST": "1"})]
-    for cells, *options in (
-            ("20", "--patches", "1", "--percent", "49"),
-            ("24", "--replicate", "1000"),
-            ("24", "--patches", "1", "--percent", "49", "--replicate", "1000"),
-            ("16", "--patches", "1", "--restored", "1"),
-            ("16", "--nested", "0"),
-            ("12", "--preconditioner", "block-jacobi", "--patches", "1"),
-            ("8", "--patches", "1")):  # ranks without nodes
-        options = "--cells", cells, *options
-        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--device", "cuda")
-        assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
-        print(options, wanted)
-        on_cpu = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
-        for name in ("energy", "reaction"):
-            pairs = list(zip(numbers(wanted, name), numbers(on_cpu, name)))
-            assert len(pairs) == 2 and all(abs(a - b) <= 1e-5 * abs(b) for a, b in pairs), (name, pairs)
-        for count, nccl, environment in ways:
-            status, found, errors, _ = ranks(count, "solver_on_ranks", *options, "--device", "cuda", "--nccl", nccl, environment=environment)
-            assert status == 0 and found == wanted, f"{count} ranks, NCCL {nccl}, {environment}: {found}{errors}"
 
 
 sys.exit(run_case(globals()))

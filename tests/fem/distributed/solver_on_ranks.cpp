@@ -1,17 +1,19 @@
-// solver_on_ranks: equilibria of the scene quasistatic by the solver of several ranks, for a cube that is pressed
+// solver_on_ranks: equilibria of a scene by the solver of several ranks, for a cube that is pressed
 // between plates in two loads, with poisoned ghosts; all that it hands out.
 //
 //   --cells N         along each side (default 12); levels halve them as long as their number is even
+//   --scene NAME      quasistatic where none is given
 //   --percent N       Poisson's ratio (default 45)
 //   --preconditioner  multigrid, block-jacobi or none
 //   --nested 0        on one mesh
 //   --replicate N     coarser meshes of more nodes are cut, too
 //   --restored 1      a second solver goes on behind the first load
+//   --iteration 1     says what an iteration sends, before the first load, and what each Newton step has sent
 //   --ordinary 1      by the ordinary solver of the scene, in one process
 //   --device cuda     on GPUs
 //   --nccl 0          through pinned memory and MPI
 #include <fem/solver/solvers/scene_solvers.h>
-#include <fem/solver/solvers/solver_on_ranks.h>
+#include <fem/solver/solvers/solvers_on_ranks.h>
 
 #include <array>
 #include <memory>
@@ -42,6 +44,14 @@ std::string digest(const std::vector<std::array<double, kCount>>& objects) {
   return std::to_string(objects.size()) + " " + digest.text();
 }
 
+void print_traffic(const Ranks& ranks, const char* what, const Traffic& traffic) {
+  if (!ranks.is_first()) return;
+  std::printf("traffic of %s: exchanges %lld messages %lld bytes %lld gathers %lld gathered %lld\n", what,
+              static_cast<long long>(traffic.exchanges), static_cast<long long>(traffic.messages),
+              static_cast<long long>(traffic.bytes), static_cast<long long>(traffic.gathers),
+              static_cast<long long>(traffic.gathered_bytes));
+}
+
 /// Every rank has all values; each rank's stand in its own lines.
 void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
   const auto positions = solver.positions(), forces = solver.forces();
@@ -66,19 +76,32 @@ int main(int argc, char** argv) {
   }
   if (word(argc, argv, "--device", "cpu") == "cuda") settings.device = Device::cuda;
   const bool uses_nccl = asked(argc, argv, "--nccl", 1) != 0;
-  const int most_nodes = asked(argc, argv, "--replicate", 0);
-  const auto replicated = most_nodes > 0 ? std::optional<index_t>(most_nodes) : std::nullopt;
+  const std::string scene = word(argc, argv, "--scene", "quasistatic");
+  for (const SceneRow& row : equilibrium_scenes()) {
+    if (scene != row.name) continue;
+    settings.material = row.material;
+    settings.newton.product = row.assembled ? Product::assembled : Product::matrix_free;
+  }
+  const int replicate = asked(argc, argv, "--replicate", 0);
   const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
   return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
     const Body body = pressed_cube(cells, patches, 16);
     const auto make = [&]() -> std::unique_ptr<EquilibriumSolver> {
-      if (ordinary) return make_scene_solver("quasistatic", body.levels, body.loading, settings);
-      return make_solver_on_ranks(ranks, body.levels, body.loading, settings, replicated,
+      if (ordinary) return make_scene_solver(scene, body.levels, body.loading, settings);
+      return make_solver_on_ranks(ranks, scene, body.levels, body.loading, settings, replicated(replicate),
                                   {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
     };
     auto solver = make();
+    const bool tells = asked(argc, argv, "--iteration", 0) != 0 && !ordinary;
+    const auto on_ranks = [&]() -> SolverOnRanks& { return dynamic_cast<SolverOnRanks&>(*solver); };
+    if (tells) print_traffic(ranks, "an iteration", on_ranks().traffic_of_iteration());
+    Traffic before = tells ? on_ranks().traffic() : Traffic();
     for (const double load : {0.4, 1.0}) {
       const NewtonResult result = solver->solve_to(load, [&](std::size_t level, const NewtonStep& step) {
+        if (tells) {
+          print_traffic(ranks, "a step", on_ranks().traffic() - before);
+          before = on_ranks().traffic();
+        }
         if (!ranks.is_first()) return;
         std::printf("level %zu\n", level);
         print(step);

@@ -7,9 +7,10 @@ namespace physgen::fem {
 namespace {
 
 template <class Layout, template <class> class Model>
-using Case = KernelCase<double, Host, Layout, Model>;
-using Cases = testing::Types<Case<Aos, NeoHookean>, Case<Soa, FixedCorotated>, Case<Aosoa<32>, NeoHookean>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(HostInDouble, Kernels, Cases);
+using CaseInDouble = KernelCase<double, Host, Layout, Model>;
+using CasesInDouble = testing::Types<CaseInDouble<Aos, NeoHookean>, CaseInDouble<Soa, FixedCorotated>,
+                                     CaseInDouble<Aosoa<32>, NeoHookean>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(HostInDouble, Kernels, CasesInDouble);
 
 }  // namespace
 }  // namespace physgen::fem

@@ -189,6 +189,17 @@ TEST(Halos, refuse_a_write_to_other_objects_which_the_own_ones_do_not_follow) {
             "declare follows(\"node\") of the set that it runs over, or gather at each node");
 }
 
+TEST(Halos, know_what_a_kernel_runs_over_whose_own_fields_are_those_of_kernels_fused_with_it) {
+  const KernelUse add{"m::Add", {{"body.x"}, {}}, {write("body.x", "x", Of::others)}};
+  EXPECT_NE(find(springs(), {add}).errors, std::vector<Issue>()) << "by itself it may run over anything";
+  Usage usage;
+  usage.steps.push_back(step_of(pull()));
+  usage.steps.back().kernels.push_back(add);
+  std::vector<Issue> errors;
+  (void)scenes::find_halos(springs(), usage, errors);
+  EXPECT_EQ(errors, std::vector<Issue>());
+}
+
 TEST(Halos, are_none_of_what_every_rank_has) {
   KernelUse kernel{
       "m::Add", {{"body.state"}, {}}, {read("body.state", "sum", Of::others), write("body.state", "sum", Of::others)}};

@@ -82,6 +82,19 @@ TEST(UsageOfNeighbours, has_the_kernels_of_steps_with_the_arrays_of_their_views_
   EXPECT_EQ(texts_of(sum->kernels[0].fields), Fields{"from.volume R"}) << "without what becomes of the sum";
 }
 
+TEST(UsageOfNeighbours, has_locals_of_fused_kernels_among_their_views) {
+  const std::string step =
+      "([&] { constexpr auto kept = local<elasticity::RestShapeObject, float>(); return fuse(locals(kept), "
+      "Copy{a.from.view(), kept}, Copy{kept, a.to.view()}); }())";
+  const Analysis analysis = analysed(
+      "neighbours.cpp", "#define PHYSGEN_TEST_STEP " + step + "\n#line 1\n" + source_of_neighbours(), Side::host);
+  ASSERT_TRUE(analysis.usage) << analysis.diagnostics.text;
+  ASSERT_EQ(analysis.usage->steps.size(), 1U);
+  std::set<std::vector<std::string>> views;
+  for (const KernelUse& kernel : analysis.usage->steps[0].kernels) views.insert(kernel.views.arrays);
+  EXPECT_EQ(views, (std::set<std::vector<std::string>>{{"from", ""}, {"", "to"}}));
+}
+
 TEST(UsageOfNeighbours, in_a_group_that_writes_them_is_a_race_in_either_order_and_on_both_sides) {
   const auto races = [](const std::string& steps, Side side) {
     const Analysis analysis =

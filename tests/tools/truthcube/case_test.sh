@@ -267,7 +267,7 @@ for k in ("x", "y", "z"):
       expect_refused "--case cannot take ${flags%% *}, because .*; remove ${flags%% *}" --case case.json $flags
     done
     expect_refused '--case cannot take --restart' --case case.json --out o --restart
-    expect_refused '--case cannot take --scene quasistatic' --case case.json --scene quasistatic
+    expect_refused '--case cannot take --scene explicit-dynamics' --case case.json --scene explicit-dynamics
     expect_refused 'material.law: --scene linear-elastic has a law of its own' --case case.json --scene linear-elastic
     expect_exit 0 --case case.json --dry-run
     expect out '^solver: [0-9]+ bytes' ;;

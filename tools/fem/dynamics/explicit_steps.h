@@ -11,6 +11,9 @@
 #include <physgen/launch/reduce.h>
 #include <physgen/memory/space.h>
 #include <physgen/rows.h>
+#ifdef __CUDACC__
+#include <physgen/cuda/parallel_for.h>
+#endif
 
 namespace physgen::fem {
 
@@ -125,7 +128,7 @@ void compute_forces(On& on, Body& body, const Material& material) {
       on.run(tet_count,
              fuse_placed_forces(material, tets, displacements, rest, body.places.const_view(), body.placed.view()));
       const SumRowForces sum{body.node_tet_ranges.const_view(), body.placed.const_view(), forces};
-      on.run(sum.size(), sum);
+      on.perform([&](Stream stream) { parallel_for(Cuda{}, sum.size(), sum, stream); });  // four threads for each node
     } else {
       on.run(nodes, ClearNodes{forces});
       on.run(tet_count, fuse_added_forces(material, tets, displacements, rest, forces));

@@ -68,11 +68,8 @@ struct GatherForces {
   CornerView forces;   ///< elasticity::CornerForces of each tet
   NodeView nodes;      ///< elasticity::NodeForce, written
 
-  /// @throw Error when there is not a row for each node, or rows do not name these tets
-  GatherForces(const NodeTets& rows, const CornerView& corner_forces, const NodeView& sums)
-      : node_tets(rows), forces(corner_forces), nodes(sums) {
-    node_tets.require("GatherForces: node_tets", nodes.size(), forces.size());
-  }
+  /// Throws an Error when there is not a row for each node, or rows do not name these tets.
+  bool has_rows = (node_tets.require("GatherForces: node_tets", nodes.size(), forces.size()), true);
 
   PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     nodes[node].f() = detail::gather_corners<Scalar>(node_tets, forces, node);

@@ -4,7 +4,6 @@
 #include <physgen/error.h>
 #include <physgen/fill_rows.h>
 
-#include <algorithm>
 #include <string>
 
 namespace physgen::fem {
@@ -37,16 +36,9 @@ EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, Spa
     : nodes_(nodes), edges_(static_cast<index_t>(edges.size())), space_(space), real_bytes_(real_bytes), order_(order) {
   check_edges(nodes, edges, first_edge);
   if (order == SumOrder::any && space == SpaceKind::cuda) return;  // atomics go by no lists
-  const bool on_cuda = space == SpaceKind::cuda;
-  const index_t of_tiles = on_cuda ? tiles() : 0;
-  const index_t count = 2 * (nodes_ + 1) + edges_ + of_tiles, bytes = count * index_t{sizeof(Index)};
-  const std::string of = std::to_string(edges_) + " edges";
-  indices_ = Buffer(space, bytes, "lists of " + of);
-  contributions_ = Buffer(space, 4 * (edges_ + (on_cuda ? nodes_ : 0)) * real_bytes, "contributions of " + of);
-  if (on_cuda) {
-    const index_t groups = (of_tiles + group_tiles - 1) / group_tiles;
-    counts_ = Buffer(space, (2 + groups) * index_t{sizeof(unsigned)}, "counts of " + of);
-  }
+  const index_t count = 2 * (nodes_ + 1) + edges_, bytes = count * index_t{sizeof(Index)};
+  indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
+  contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
   HostList<Index> elsewhere(space == SpaceKind::host ? 0 : at(count));
   Index* const first = space == SpaceKind::host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
   Index* const place = first + 2 * (nodes_ + 1);
@@ -67,16 +59,6 @@ EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, Spa
   physgen::detail::for_each_index(0, edges_ - first_edge,
                                   [&](index_t k) { place[by_second[at(k)]] = static_cast<Index>(k); });
   if (space == SpaceKind::host) return;
-  Index* const needed = place + edges_;
-  physgen::detail::for_each_index(0, of_tiles, [&](index_t tile) {
-    const index_t nodes_begin = tile * tile_nodes, nodes_end = std::min(nodes_begin + tile_nodes, index_t{nodes_});
-    auto least = static_cast<Index>(tile);
-    for (index_t n = nodes_begin; n < nodes_end; ++n) {  // the first of a node's has the least m
-      if (begin[at(n)] == begin[at(n + 1)]) continue;
-      least = std::min(least, static_cast<Index>(edges[at(by_second[at(begin[at(n)])])][0] / tile_nodes));
-    }
-    needed[tile] = least;
-  });
   copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(elsewhere.data()), SpaceKind::host, bytes);
 }
 

@@ -53,7 +53,7 @@ class EdgeSums {
 
   [[nodiscard]] index_t nodes() const { return nodes_; }
   [[nodiscard]] index_t edges() const { return edges_; }
-  [[nodiscard]] index_t bytes() const { return indices_.bytes() + contributions_.bytes() + counts_.bytes(); }
+  [[nodiscard]] index_t bytes() const { return indices_.bytes() + contributions_.bytes(); }
   /// The future bytes() of products on the host, or on CUDA in SumOrder::any.
   template <class Real>
   [[nodiscard]] static index_t bytes_for(index_t nodes, index_t edges, SpaceKind space) {
@@ -66,21 +66,6 @@ class EdgeSums {
   [[nodiscard]] const Index* contributions_begin() const { return indices(nodes_ + 1); }
   /// Per edge: the place of its contribution to n.
   [[nodiscard]] const Index* place() const { return indices(2 * (nodes_ + 1)); }
-  // On CUDA a thread block takes the nodes of a tile; blocks tell each other of groups of tiles.
-  static constexpr Index tile_nodes = 32, group_tiles = 32;
-  [[nodiscard]] index_t tiles() const { return (nodes_ + tile_nodes - 1) / tile_nodes; }
-  /// Per tile: the first one whose edges lead to it.
-  [[nodiscard]] const Index* needed() const { return indices(2 * (nodes_ + 1) + edges_); }
-  /// The number of blocks that have begun, of those that have ended, and per group that of its tiles that have stored.
-  /// All are 0 between products.
-  [[nodiscard]] unsigned* begun() const { return counts(0); }
-  [[nodiscard]] unsigned* ended() const { return counts(1); }
-  [[nodiscard]] unsigned* groups() const { return counts(2); }
-  /// Room for what a node has of its own.
-  template <class Real>
-  [[nodiscard]] Contribution<Real>* own_sums() const {
-    return contributions<Real>() + edges_;
-  }
   /// Room for the contributions of all edges.
   template <class Real>
   [[nodiscard]] Contribution<Real>* contributions() const {
@@ -92,13 +77,11 @@ class EdgeSums {
     return reinterpret_cast<const Index*>(indices_.data()) + from;
   }
 
-  [[nodiscard]] unsigned* counts(index_t from) const { return reinterpret_cast<unsigned*>(counts_.data()) + from; }
-
   index_t nodes_ = 0, edges_ = 0;
   SpaceKind space_ = SpaceKind::host;
   int real_bytes_ = 0;
   SumOrder order_ = SumOrder::fixed;
-  Buffer indices_, contributions_, counts_;
+  Buffer indices_, contributions_;
 };
 
 /// The arrays of a product in one space; views of any layout and format.

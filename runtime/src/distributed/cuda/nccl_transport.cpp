@@ -1,6 +1,7 @@
 // Messages between devices by NCCL.
 #include <physgen/cuda/check.h>
 #include <physgen/distributed/cuda/transports.h>
+#include <physgen/memory/buffer.h>
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,20 @@ class NcclTransport final : public Transport {
     int lowest = 0, highest = 0;
     check(cudaDeviceGetStreamPriorityRange(&lowest, &highest), "making a stream");
     check(cudaStreamCreateWithPriority(&crossing_, cudaStreamNonBlocking, highest), "making a stream");
+  }
+  /// NCCL makes connections when they are first used, which takes seconds: those of gathers, and to the ranks before
+  /// and behind, which most fields cross to, are made now.
+  void connect() {
+    constexpr std::size_t size = 16;
+    const auto ranks = static_cast<std::size_t>(count());
+    const Buffer bytes(SpaceKind::cuda, static_cast<index_t>(size * (ranks + 3)), "first messages between ranks");
+    const auto place = [&](std::size_t number) { return std::span(bytes.data() + size * number, size); };
+    std::vector<Message> messages;
+    if (rank() > 0) messages.push_back({rank() - 1, place(ranks), place(ranks + 1)});
+    if (rank() + 1 < count()) messages.push_back({rank() + 1, place(ranks), place(ranks + 2)});
+    begin_messages(messages);
+    gather_bytes(place(ranks), std::vector<index_t>(ranks, index_t{size}), {bytes.data(), size * ranks});
+    check(cudaStreamSynchronize(crossing_), "connecting ranks by NCCL");
   }
   NcclTransport(const NcclTransport&) = delete;
   NcclTransport& operator=(const NcclTransport&) = delete;
@@ -148,7 +163,11 @@ std::unique_ptr<Transport> make_nccl_transport(Transport& host, Stream stream, s
   ncclComm_t communicator = nullptr;
   note(nccl().init_rank(&communicator, host.count(), ids[0], host.rank()), "ncclCommInitRank");
   why_not = reason_of_all(mine, host);
-  if (why_not.empty()) return std::make_unique<NcclTransport>(host, stream, communicator);
+  if (why_not.empty()) {
+    auto transport = std::make_unique<NcclTransport>(host, stream, communicator);
+    transport->connect();
+    return transport;
+  }
   if (communicator != nullptr) (void)nccl().abort(communicator);
   return nullptr;
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace physgen::fem {
@@ -131,6 +132,13 @@ void require_edges(const LevelGraph& between, const ListedLevel& listed, const L
   if (!are_same) throw Error("the layers of a coarser level have other edges than the whole; give the levels of a box");
 }
 
+void require_lists(std::span<const MeshLevel> levels, const char* reason) {
+  const auto lacks = [](const MeshLevel& level) { return !level.is_grid() && level.mesh.node_tets.first.empty(); };
+  if (std::ranges::none_of(levels, lacks)) return;
+  throw Error(std::string("levels have no lists, and need them since ") + reason +
+              "; give meshes that make_tet_mesh() made");
+}
+
 }  // namespace
 
 std::size_t levels_cut_by_solver(std::span<const index_t> nodes, const SolverSettings& settings, int ranks,
@@ -138,20 +146,15 @@ std::size_t levels_cut_by_solver(std::span<const index_t> nodes, const SolverSet
   const std::size_t used = used_levels(settings, nodes.size(), nodes.size()).used;
   std::vector<LevelGraph> graphs(used);
   for (std::size_t l = 0; l < used; ++l) graphs[l].nodes = static_cast<Index>(nodes[l]);
-  if (!replicated) return levels_that_are_cut(graphs, ranks);
-  std::size_t cut = 1;
-  while (cut + 1 < used && nodes[cut] > *replicated) ++cut;
-  return cut;
+  return levels_that_are_cut(graphs, ranks, replicated);
 }
 
-PartOfLevels part_of_levels(std::span<const MeshLevel> levels, std::size_t cut, int rank, int ranks) {
+PartOfLevels part_of_levels(std::span<const MeshLevel> levels, std::size_t cut, int rank, int ranks, bool edges) {
   PartOfLevels part;
   const auto of_parts = levels.first(std::min(cut + 1, levels.size()));
   if (!are_levels_of_a_box(of_parts)) {
-    if (std::ranges::any_of(of_parts, [](const MeshLevel& level) { return level.mesh.node_tets.first.empty(); })) {
-      throw Error("levels without lists are no levels of a box; give meshes that make_tet_mesh() made");
-    }
-    part.graphs = make_level_graphs(levels);
+    require_lists(levels, "they are no levels of a box");
+    part.graphs = make_level_graphs(levels, edges);
     for (std::size_t l = 0; l < levels.size(); ++l)
       part.listed.levels.push_back(listed_whole(levels[l], part.graphs[l]));
     part.listed.coarser.assign(part.listed.levels.begin() + 1, part.listed.levels.end());
@@ -162,14 +165,15 @@ PartOfLevels part_of_levels(std::span<const MeshLevel> levels, std::size_t cut, 
   for (std::size_t l = 0; l < of_parts.size(); ++l) {
     part.levels.push_back(level_between(levels[l], layers_of(l), l + 1 < of_parts.size()));
   }
-  part.graphs = make_level_graphs(part.levels);
+  part.graphs = make_level_graphs(part.levels, edges);
   for (std::size_t l = 0; l < of_parts.size(); ++l) {
     part.listed.levels.push_back(listed_between(levels[l], layers_of(l), part.graphs[l]));
   }
   part.listed.coarser.assign(part.listed.levels.begin() + 1, part.listed.levels.end());
   if (cut >= levels.size()) return part;
   // All ranks have the whole of the others.
-  std::vector<LevelGraph> whole = make_level_graphs(levels.subspan(cut));
+  require_lists(levels.subspan(cut), "they are not cut");
+  std::vector<LevelGraph> whole = make_level_graphs(levels.subspan(cut), edges);
   require_edges(part.graphs[cut], part.listed.levels[cut], whole.front());
   part.levels.pop_back();
   part.graphs.pop_back();

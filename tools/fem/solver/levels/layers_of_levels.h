@@ -3,12 +3,14 @@
 #pragma once
 
 #include <fem/mesh/mesh.h>
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/level_graph.h>
 #include <fem/solver/mesh_level.h>
 #include <fem/solver/settings.h>
 #include <physgen/distributed/named_objects.h>
 #include <physgen/distributed/runs.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,21 +21,21 @@ namespace physgen::fem {
 /// Coarser levels of so many nodes, those of a cube of 36^3 cells, stand on every rank.
 inline constexpr index_t replicated_nodes = 50653;
 
-/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, and eight
-/// blocks a rank. @param levels finest first
-[[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> levels, int ranks,
-                                                     index_t replicated = replicated_nodes) {
+/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, or by
+/// themselves than replicated_nodes, and eight blocks a rank. None that is inverted as a whole. @param graphs finest
+/// first
+[[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> graphs, int ranks,
+                                                     std::optional<index_t> replicated = {}) {
+  const index_t most = std::max<index_t>(most_coarse_nodes,
+                                         replicated.value_or(std::max(replicated_nodes, 8 * Runs::block * ranks - 1)));
   std::size_t cut = 1;
-  const auto is_large = [&](const LevelGraph& graph) {
-    return !graph.is_grid && graph.nodes > replicated && graph.nodes >= 8 * Runs::block * ranks;
-  };
-  while (cut < levels.size() && is_large(levels[cut])) ++cut;
+  const auto is_large = [most](const LevelGraph& graph) { return !graph.is_grid && graph.nodes > most; };
+  while (cut < graphs.size() && is_large(graphs[cut])) ++cut;
   return cut;
 }
 
-/// Of levels on which a solver of several ranks goes, as its settings say: so many of the finest are cut.
-/// @param nodes of each level, finest first, none of a background grid
-/// @param replicated coarser meshes of more nodes are cut, too, but for the coarsest; or as levels_that_are_cut() says
+/// The same of the levels that a solver uses, as its settings say.
+/// @param nodes of each level, finest first; 0 of a background grid
 [[nodiscard]] std::size_t levels_cut_by_solver(std::span<const index_t> nodes, const SolverSettings& settings,
                                                int ranks, std::optional<index_t> replicated);
 
@@ -78,7 +80,9 @@ struct PartOfLevels {
 /// @param levels finest first. Where they are of a box (make_box_mesh(), box_parents(), and cell_patches() or none), of
 /// those that are cut only tets, positions, constraints, parents and the nodes of patches are read, and no lists
 /// @param cut the finest so many are cut
-/// @throw Error as make_level_graphs()
-[[nodiscard]] PartOfLevels part_of_levels(std::span<const MeshLevel> levels, std::size_t cut, int rank, int ranks);
+/// @param edges as make_level_graphs() takes it
+/// @throw Error as make_level_graphs(), and where lists are missing that it needs
+[[nodiscard]] PartOfLevels part_of_levels(std::span<const MeshLevel> levels, std::size_t cut, int rank, int ranks,
+                                          bool edges = true);
 
 }  // namespace physgen::fem

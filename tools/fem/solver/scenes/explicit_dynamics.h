@@ -16,18 +16,21 @@ struct PHYSGEN_SCENE() explicit_dynamics {
   using Real = float;
 
   struct Body {
-    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input(), names("nodes", "node"), follows("node")) Array<elasticity::TetObject, Real> tets;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, Real> rest;
     /// Where nodes gather: on the CPU.
-    PHYSGEN_ARRAY(per("gathered_tet")) Array<elasticity::CornerForcesObject, Real> corners;
-    /// Where forces are placed in the nodes' rows: on CUDA, if sums are to have the same bits on every run.
-    PHYSGEN_ARRAY(per("placed_tet"), input()) Array<elasticity::TetPlacesObject, Real> places;
+    PHYSGEN_ARRAY(per("gathered_tet"), follows("node")) Array<elasticity::CornerForcesObject, Real> corners;
+    /// Where forces are placed in the nodes' rows: on CUDA, in one process, if sums are to have the same bits on every
+    /// run.
+    PHYSGEN_ARRAY(per("placed_tet"), input(), names("places", "placed_corner"), follows("placed_corner"))
+    Array<elasticity::TetPlacesObject, Real> places;
     PHYSGEN_ARRAY(per("placed_corner")) Array<elasticity::PlacedForceObject, Real> placed;
 
     /// The tets of each node: rows of (tet, corner). Where forces are placed the rows alone; where tets add, none.
     PHYSGEN_ARRAY(per("row"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
-    PHYSGEN_ARRAY(per("gathered_corner"), input()) Array<elasticity::IncidenceObject, float> node_tets;
-    PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::NodeConstraintObject, Real> constraints;
+    PHYSGEN_ARRAY(per("gathered_corner"), input(), names("element", "gathered_tet"), no_index("local"))
+    Array<elasticity::IncidenceObject, float> node_tets;
+    PHYSGEN_ARRAY(per("node"), input(), no_index("fixed")) Array<quasistatic::NodeConstraintObject, Real> constraints;
     PHYSGEN_ARRAY(per("node"), input()) Array<dynamics::NodeMassObject, double> masses;
     /// External forces, and the motion of prescribed components, at a load of 1.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeForceObject, double> loads;

@@ -39,9 +39,14 @@ template <class Ranges, class Entries, class Add>
            });
   };
 }
+/// The same where the rows of all are here.
+template <class Ranges, class Entries>
+[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {
+  return rows_of(ranges, entries, {}, {}, [](auto& /*entry*/, Index /*number*/) {});
+}
 /// The nodes that an object names, by numbers of all.
 template <int kCount, class Array>
-[[nodiscard]] auto nodes_of(const Array& array, const ListedObjects& objects, const ListedObjects& nodes) {
+[[nodiscard]] auto nodes_of(const Array& array, const ListedObjects& objects = {}, const ListedObjects& nodes = {}) {
   return [=, view = array.const_view()](index_t number) {
     const auto object = view[objects.here(number)];
     std::array<Index, kCount> named{};
@@ -138,6 +143,45 @@ void add_edge_patches(DistributedArrays& arrays, const std::string& number, cons
                               add_to_code<EdgePatchEntry>),
                       EdgePatchEntry::bits, listed.edges.known);
 }
+/// The same where nodes gather from patches, since it is not.
+template <class Patches, class WholePatches>
+void add_node_patches(DistributedArrays& arrays, const std::string& number, const std::string& node,
+                      const std::string& patch, Patches& patches, const WholePatches& whole,
+                      const ListedLevel& listed) {
+  const std::string of_patches = "patches" + number + ".";
+  arrays.add(of_patches + "changes", patch, patches.changes);
+  arrays.add(of_patches + "node_patch_ranges", node, patches.node_patch_ranges.contents());
+  arrays.connect_rows(patches.node_patch_ranges.contents(), of_patches + "node_patch_entries",
+                      patches.node_patch_entries.contents(), "code", patch,
+                      rows_of(whole.node_patch_ranges, whole.node_patch_entries, listed.nodes, listed.patches,
+                              add_to_code<NodePatchEntry>),
+                      NodePatchEntry::bits, listed.nodes.known);
+}
+/// A level of tangents that are not assembled.
+template <class Level>
+void add_level_by_tets(DistributedArrays& arrays, const std::string& number, const std::string& node, Level& level) {
+  const std::string of_level = "level" + number + ".";
+  arrays.add(of_level + "constraints", node, level.constraints.contents());
+  arrays.add(of_level + "node_stiffness", node, level.node_stiffness);
+  arrays.add(of_level + "scales", node, level.scales);
+  arrays.add(of_level + "inverse", node, level.inverse);
+  arrays.add(of_level + "residual", node, level.residual);
+  arrays.add(of_level + "correction", node, level.correction);
+}
+/// As the solver fills its own. Behind cut().
+template <class Level>
+void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGraph& graph, const ListedObjects& nodes) {
+  arrays.fill(level.constraints.contents(), [&](index_t node) {
+    typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
+    value.fixed = graph.fixed[at(nodes.here(node))];
+    return value;
+  });
+  arrays.fill(level.scales, [](index_t /*node*/) {  // which an unpreconditioned solve leaves
+    typename std::remove_cvref_t<decltype(level.scales)>::Value value{};
+    value.scale = value.inverse = 1;
+    return value;
+  });
+}
 /// As the solver fills its own. Behind cut().
 template <class Body, class Krylov, class WholeBody>
 void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole,
@@ -174,8 +218,7 @@ struct PartOfEquilibrium {
 
   /// @param whole of the same mesh on each rank. Where its volumes are not averaged, patches have no objects
   /// @param cut the finest so many levels are cut
-  /// @param add_more add_more(*this) adds further arrays
-  /// @param behind_names as cut() takes it
+  /// @param add_more add_more(*this) adds further arrays @param behind_names as cut() takes it
   template <class AddMore>
   PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, std::size_t cut, const AddMore& add_more,
                     const std::function<void()>& behind_names = {})
@@ -187,12 +230,12 @@ struct PartOfEquilibrium {
       add_levels(arrays, each_level(), whole.graphs, cut, listed_levels_of(whole));
       arrays.same_set("node", "level[0].node");
     } else {
-      add_level();
+      add_level_by_tets(arrays, "", "node", levels.front());
     }
     add_mesh(arrays, "", sets, body, chunk, krylov, whole.body, listed);
     if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body, listed);
     if constexpr (!std::is_same_v<Patches, NoArrays>) {
-      if (whole.body.volumes.size() > 0) add_mesh_patches(whole, listed);
+      if (whole.body.volumes.size() > 0) add_mesh_patches(sets, whole, listed);
     }
     add_more(*this);
     arrays.cut(behind_names);
@@ -212,8 +255,7 @@ struct PartOfEquilibrium {
     return {};
   }
   [[nodiscard]] static ListedLevel listed_of(const Whole& whole) {
-    const ListedLevels listed = listed_levels_of(whole);
-    if (!listed.levels.empty()) return listed.levels.front();
+    if constexpr (requires { whole.listed; }) return whole.listed.levels.front();
     const auto& body = whole.body;
     return {{body.rest.size()}, {body.edge_tet_ranges.size()}, {body.tets.size()}, {body.volumes.size()}};
   }
@@ -224,43 +266,22 @@ struct PartOfEquilibrium {
     for (const char* set : {"chunk_tet", "kept_tet"}) arrays.same_set(set, "tet");
     arrays.follow("tet", "node");
   }
-  /// That of tangents that are not assembled.
-  void add_level() {
-    Level& level = levels.front();
-    arrays.add("level.constraints", "node", level.constraints.contents());
-    arrays.add("level.node_stiffness", "block_node", level.node_stiffness);
-    arrays.add("level.scales", "node", level.scales);
-    arrays.add("level.inverse", "block_node", level.inverse);
-    arrays.add("level.residual", "node", level.residual);
-    arrays.add("level.correction", "node", level.correction);
-  }
-  void add_mesh_patches(const Whole& whole, const ListedLevel& listed) {
+  void add_mesh_patches(const MeshSets& sets, const Whole& whole, const ListedLevel& listed) {
     arrays.add_set("patch", listed.patches.size);
     arrays.follow("patch", "node");
-    add_patches(arrays, "", {"node", "tet", "chunk_tet", "kept_tet"}, "patch", body, patches, whole.patches, listed);
+    add_patches(arrays, "", sets, "patch", body, patches, whole.patches, listed);
     if constexpr (Choices::assembled) {
       add_edge_patches(arrays, "", "level[0].edge", "patch", patches, whole.patches, listed);
     } else {
-      add_node_patches(whole, listed);
+      add_node_patches(arrays, "", "node", "patch", patches, whole.patches, listed);
     }
-  }
-  /// Where nodes gather from patches.
-  void add_node_patches(const Whole& whole, const ListedLevel& listed) {
-    const auto& all = whole.patches;
-    arrays.add("patches.changes", "patch", patches.changes);
-    arrays.add("patches.node_patch_ranges", "node", patches.node_patch_ranges.contents());
-    arrays.connect_rows(patches.node_patch_ranges.contents(), "patches.node_patch_entries",
-                        patches.node_patch_entries.contents(), "code", "patch",
-                        rows_of(all.node_patch_ranges, all.node_patch_entries, listed.nodes, listed.patches,
-                                add_to_code<NodePatchEntry>),
-                        NodePatchEntry::bits, listed.nodes.known);
   }
   void fill(const Whole& whole) {
     fill_mesh(arrays, body, krylov, whole.body, listed_of(whole).nodes);
     if constexpr (Choices::assembled) {
       facts.sums = fill_levels(arrays, each_level(), whole.graphs, listed_levels_of(whole));
     } else {
-      arrays.fill(levels.front().constraints.contents(), whole.levels.front().constraints);
+      fill_level_by_tets(arrays, levels.front(), whole.graphs.front(), listed_of(whole).nodes);
     }
   }
   /// One chunk for all tets that are here.

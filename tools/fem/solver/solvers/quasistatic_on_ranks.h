@@ -1,115 +1,35 @@
 // The solver of several ranks over arrays in one space: see solver_on_ranks.h.
 #pragma once
 
-#include <fem/solver/levels/level_halos.h>
 #include <fem/solver/solvers/nested_newton.h>
-#include <fem/solver/solvers/part_of_equilibrium.h>
+#include <fem/solver/solvers/part_of_rank.h>
 #include <fem/solver/solvers/require.h>
 #include <fem/solver/solvers/solver_on_ranks.h>
-#include <fem/solver/solvers/whole_body.h>
-#include <quasistatic.halos.h>
 
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
-namespace detail {
-
-[[nodiscard]] inline std::string in_brackets(std::size_t k) { return "[" + std::to_string(k) + "]"; }
-
-/// The parts of a rank, and what runs steps over them.
-template <class On>
-struct PartOfRank {
-  using Mesh = QuasistaticMesh<typename On::Space>;
-  using Part = PartOfEquilibrium<WholeBody, QuasistaticBody<typename On::Space>>;
-  std::vector<Mesh> coarser;
-  scenes::quasistatic_scene::Stresses<typename On::Space> stressed;
-  std::unique_ptr<Part> finest;
-  std::unique_ptr<On> on;
-
-  PartOfRank(const Ranks& ranks, WholeBody& whole, const DistributedOptions& options) : coarser(whole.coarser.size()) {
-    const InStage stage("parts of ranks");
-    const auto add_more = [&](auto& part) {
-      part.arrays.add("stresses.of_tets", "tet", stressed.of_tets);
-      for (std::size_t k = 0; k < coarser.size(); ++k) add(part.arrays, whole, k);
-      for (std::size_t k = 0; k < coarser.size(); ++k) {
-        add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches, whole, k);
-      }
-    };
-    finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
-    finest->facts.all_prescribed = whole.facts.all_prescribed;
-    for (std::size_t k = 0; k < coarser.size(); ++k) {
-      Mesh& mesh = coarser[k];
-      const MeshFacts& facts = whole.coarser[k].facts;
-      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body,
-                whole.listed.of(k + 1, whole.graphs[k + 1]).nodes);
-      mesh.facts.rounding_force = facts.rounding_force;
-      mesh.facts.moves = facts.moves;
-      mesh.facts.all_prescribed = facts.all_prescribed;
-      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
-    }
-    on = std::make_unique<On>(ranks, finest->arrays, options);
-  }
-
- private:
-  static HaloUses table() {
-    static const std::vector<HaloUse> rows = with_halos_of_levels(scenes::quasistatic_scene::halos);
-    return rows;
-  }
-  /// Mesh k + 1, which is cut, or which all ranks have.
-  void add(DistributedArrays& arrays, const WholeBody& of, std::size_t k) {
-    const QuasistaticMesh<Host>& whole = of.coarser[k];
-    const ListedLevel listed = of.listed.levels[k + 1];
-    const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
-                      patch = "patch" + number;
-    Mesh& mesh = coarser[k];
-    const MeshSets sets{level + ".node", tet, tet, tet};
-    const auto add_set = [&](const std::string& set, index_t size) {
-      if (k + 1 >= of.cut) return arrays.add_replicated_set(set, size);
-      arrays.add_set(set, size);
-      arrays.follow(set, sets.node);
-    };
-    add_set(tet, listed.tets.size);
-    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed);
-    add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body, listed);
-    if (whole.body.volumes.size() == 0) return;
-    add_set(patch, listed.patches.size);
-    add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches, listed);
-    add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
-  }
-  /// Of the patches of mesh k, among those of the next coarser one.
-  template <class Patches>
-  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholeBody& of, std::size_t k) {
-    const auto& whole = k == 0 ? of.patches : of.coarser[k - 1].patches;
-    const ListedObjects own = of.listed.levels[k].patches;
-    if (whole.parents.size() == 0) return;
-    const std::string number = k == 0 ? "" : in_brackets(k);
-    arrays.add("patches" + number + ".parents", "patch" + number, patches.parents.contents());
-    arrays.connect(patches.parents.contents(), "patch", "patch" + in_brackets(k + 1),
-                   patch_of(whole.parents, own, of.listed.coarser[k].patches), own.known);
-  }
-};
-
-}  // namespace detail
-
-/// @tparam On DistributedExecutor
-template <class On>
+/// @tparam On DistributedExecutor @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES
+template <class On, class Scene = scenes::quasistatic>
 class QuasistaticOnRanks final : public SolverOnRanks,
-                                 private detail::PartOfRank<On>,
-                                 private NestedNewton<On, typename QuasistaticMesh<typename On::Space>::Types> {
-  using Types = typename QuasistaticMesh<typename On::Space>::Types;
-  using PartOfRank = detail::PartOfRank<On>;
+                                 private detail::PartOfRank<On, Scene>,
+                                 private NestedNewton<On, typename QuasistaticMesh<typename On::Space, Scene>::Types> {
+  using Types = typename QuasistaticMesh<typename On::Space, Scene>::Types;
+  using PartOfRank = detail::PartOfRank<On, Scene>;
   using Nested = NestedNewton<On, Types>;
   using Nested::all_prescribed_;
   using Nested::arrays_;
   using Nested::coarser_load_;
   using Nested::evaluate_now;
+  using Nested::evaluator_;
   using Nested::last_reaction_;
   using Nested::linear_;
   using Nested::load_;
@@ -117,37 +37,54 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using Nested::moves_;
   using Nested::reached_;
   using Nested::rounding_forces_;
+  using Nested::settings_;
   using Nested::solved_;
   using Nested::state_now;
   using Nested::vectors_;
   using PartOfRank::coarser;
   using PartOfRank::finest;
   using PartOfRank::on;
-  using PartOfRank::stressed;
+  using PartOfRank::stresses_of_tets;
   using typename Nested::Arrays;
   using typename Nested::Level;
   using typename Nested::Vectors;
   using typename PartOfRank::Mesh;
 
  public:
-  QuasistaticOnRanks(const Ranks& ranks, WholeBody whole, const SolverSettings& settings,
+  QuasistaticOnRanks(const Ranks& ranks, WholeBody<Scene> whole, const SolverSettings& settings,
                      const DistributedOptions& options)
       : PartOfRank(ranks, whole, options),
         Nested(*PartOfRank::on, settings, Types::make_material(settings, whole.body.volumes.size() > 0),
-               1 + whole.coarser.size()) {
+               1 + whole.coarser.size()),
+        fixed_(std::move(whole.fixed)),
+        parents_(std::move(whole.parents)) {
     take(*finest);
     for (Mesh& mesh : coarser) take(mesh);
     for (std::size_t l = 0; l < finest->levels.size(); ++l) {
       linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
-      linear_.back()->sums = std::move(finest->facts.sums[l]);
+      if constexpr (Level::Choices::assembled) {
+        linear_.back()->sums = std::move(finest->facts.sums[l]);
+      } else {
+        linear_.back()->assembled = false;
+      }
     }
   }
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     return Nested::solve_to(load, report);
   }
-  void set_loading(const Loading& /*loading*/) override {
-    throw Error("a solver on several ranks keeps the loading that it was made with; change loads in one process");
+  void set_loading(const Loading& loading) override {
+    require_next_loading(loading, fixed_.front().size(), false, {});
+    std::vector<Point> motion = loading.motion, forces = loading.forces;
+    for (std::size_t l = 0; l < arrays_.size(); ++l) {
+      const LoadingOfNodes all(fixed_[l], motion, forces);
+      finest->arrays.fill(arrays_[l]->loads.contents(), all.loads);
+      finest->arrays.fill(arrays_[l]->motion.contents(), all.motion);
+      if (l + 1 < arrays_.size()) {
+        coarsen_loading(parents_[l], static_cast<Index>(fixed_[l + 1].size()), motion, forces);
+      }
+    }
+    reached_ = false;
   }
   [[nodiscard]] double load() const override { return load_; }
   [[nodiscard]] std::vector<Point> positions() const override { return positions_of(0); }
@@ -157,11 +94,11 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     return NodeState{positions_of(1), forces_of(1), {}};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    Nested::evaluate_stresses(load_, stressed.of_tets);
-    return of_all_ranks<9>(stressed.of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
+    Nested::evaluate_stresses(load_, stresses_of_tets);
+    return of_all_ranks<9>(stresses_of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
   }
   [[nodiscard]] index_t bytes() const override {
-    index_t sum = stressed.bytes();
+    index_t sum = stresses_of_tets.bytes();
     for (const auto& level : linear_) sum += level->bytes();
     for (const auto& arrays : arrays_) sum += arrays->bytes() + arrays->chunk_arrays->bytes();
     for (const auto& vectors : vectors_) sum += vectors->bytes();
@@ -193,16 +130,58 @@ class QuasistaticOnRanks final : public SolverOnRanks,
 
   [[nodiscard]] PartOfMesh part() const override {
     const auto ghosts = [](const LocalSet& set) { return static_cast<index_t>(set.ghosts().size()); };
-    const LocalSet &nodes = objects_of(arrays_.front()->positions), &tets = objects_of(stressed.of_tets);
-    return {nodes.owned(), ghosts(nodes), tets.owned(), ghosts(tets)};
+    const LocalSet &nodes = objects_of(arrays_.front()->positions), &tets = objects_of(stresses_of_tets);
+    std::set<int> neighbours;
+    for (const index_t ghost : nodes.ghosts()) neighbours.insert(nodes.runs().owner(ghost));
+    return {nodes.owned(), ghosts(nodes), tets.owned(), ghosts(tets), static_cast<int>(neighbours.size())};
   }
   [[nodiscard]] Traffic traffic() const override { return on->traffic(); }
   [[nodiscard]] std::string transport() const override {
     if constexpr (requires { on->transport_name(); }) return on->transport_name();
     return "MPI";
   }
+  [[nodiscard]] Traffic traffic_of_iteration() override {
+    Arrays& a = *arrays_.front();
+    Level& level = *linear_.front();
+    Vectors& v = *vectors_.front();
+    const PreconditionerSettings& preconditioner = settings_.newton.preconditioner;
+    (void)evaluate_now(0, load_);
+    form_tangent(*on, a, level, *evaluator_, TangentFilter::none, load_);
+    prepare_tangent(*on, a, linear_, 0, preconditioner, true);
+    const auto of_iterations = [&](int count) {
+      finest->arrays.fill(a.forces, [](index_t node) {  // any that are not 0
+        typename std::remove_cvref_t<decltype(a.forces)>::Value value{};
+        for (int k = 0; k < 3; ++k) value.f[k] = 1 + static_cast<double>((3 * node + k) % 7);
+        return value;
+      });
+      on->run(a.nodes(),
+              BeginResidual{a.forces.const_view(), level.constraints.const_view(), false, v.residual.view()});
+      const Traffic before = on->traffic();
+      typename On::Loop loop;
+      solve(*on, loop, a, linear_, 0, v, preconditioner, 0, count);
+      on->wait();
+      return on->traffic() - before;
+    };
+    (void)of_iterations(2);  // fields cross more than once before ranks know what all steps read
+    const Traffic two = of_iterations(2);
+    return of_iterations(3) - two;
+  }
 
  private:
+  /// Of all nodes of a mesh.
+  struct LoadingOfNodes {
+    elasticity::NodeDisplacementArray<double> motion;
+    elasticity::NodeForceArray<double> loads;
+    LoadingOfNodes(std::span<const std::uint8_t> fixed, const std::vector<Point>& moved,
+                   const std::vector<Point>& forces)
+        : motion(static_cast<index_t>(fixed.size())), loads(static_cast<index_t>(fixed.size())) {
+      store_loading(*this, fixed, moved, forces);
+    }
+  };
+  // As WholeBody has them.
+  std::vector<std::vector<std::uint8_t>> fixed_;
+  std::vector<std::vector<std::array<Index, 2>>> parents_;
+
   template <class Array>
   [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
     return finest->arrays.objects_of(array);
@@ -214,8 +193,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     Arrays& arrays = *arrays_.back();
     arrays.chunks = facts.chunks;
     arrays.chunk_arrays = std::make_shared<decltype(Mesh::chunk)>(std::move(groups.chunk));
-    if (arrays.volumes.size() > 0) {
-      arrays.patches = std::make_unique<GroupOf<decltype(arrays.patches)>>(std::move(groups.patches));
+    if constexpr (may_have<decltype(arrays.patches)>) {
+      if (arrays.volumes.size() > 0) {
+        arrays.patches = std::make_unique<GroupOf<decltype(arrays.patches)>>(std::move(groups.patches));
+      }
     }
     vectors_.push_back(std::make_unique<Vectors>(std::move(groups.krylov)));
     loops_.emplace_back();
@@ -268,10 +249,5 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     return all;
   }
 };
-
-/// In a build with CUDA: see solver_on_ranks.cu.
-[[nodiscard]] std::unique_ptr<SolverOnRanks> make_cuda_solver_on_ranks(const Ranks& ranks, WholeBody whole,
-                                                                       const SolverSettings& settings,
-                                                                       const DistributedOptions& options);
 
 }  // namespace physgen::fem

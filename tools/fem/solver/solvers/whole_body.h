@@ -4,79 +4,110 @@
 
 #include <fem/mesh/stages.h>
 #include <fem/solver/arrays/host_points.h>
-#include <fem/solver/levels/distributed_levels.h>
+#include <fem/solver/levels/layers_of_levels.h>
+#include <fem/solver/levels/linear_level.h>
 #include <fem/solver/solvers/scene_types.h>
 #include <fem/solver/solvers/solver_program.h>
+#include <physgen/distributed/ranks.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
-/// A mesh on which equilibrium is sought: the whole one, or what a rank has of it. @tparam Space of its arrays
-template <class Space>
+namespace detail {
+
+/// The group of arrays that a scene has of patches, or NoArrays.
+template <class Patches>
+struct PatchGroup {
+  using type = NoArrays;
+};
+template <class Group>
+struct PatchGroup<std::unique_ptr<PatchesOver<Group>>> {
+  using type = Group;
+};
+
+}  // namespace detail
+
+/// A mesh on which equilibrium is sought: the whole one, or what a rank has of it.
+/// @tparam Space of its arrays @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES
+template <class Space, class Scene = scenes::quasistatic>
 struct QuasistaticMesh {
-  using Types = SceneTypes<SceneArrays<scenes::quasistatic, Space>>;
+  using Types = SceneTypes<SceneArrays<Scene, Space>>;
   using Choices = typename Types::Level::Choices;
+  using Chunk = typename decltype(Types::Arrays::chunk_arrays)::element_type;
   typename Types::Arrays::Own body;
-  scenes::quasistatic_scene::Patches<Space> patches;
-  scenes::quasistatic_scene::Chunk<Space> chunk;
+  typename detail::PatchGroup<decltype(Types::Arrays::patches)>::type patches;
+  Chunk chunk;
   typename Types::Vectors krylov;
   MeshFacts facts;
 };
 
 /// With its levels.
-template <class Space>
-struct QuasistaticBody : QuasistaticMesh<Space> {
-  std::vector<typename QuasistaticMesh<Space>::Types::Level::Own> levels;
+template <class Space, class Scene = scenes::quasistatic>
+struct QuasistaticBody : QuasistaticMesh<Space, Scene> {
+  std::vector<typename QuasistaticMesh<Space, Scene>::Types::Level::Own> levels;
 };
 
 /// Without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
-struct WholeBody : QuasistaticBody<Host> {
+template <class Scene = scenes::quasistatic>
+struct WholeBody : QuasistaticBody<Host, Scene> {
+  using Mesh = QuasistaticMesh<Host, Scene>;
+  using Arrays = typename Mesh::Types::Arrays;
+  static constexpr bool assembled = Mesh::Choices::assembled;
   std::size_t cut;  ///< so many levels are cut, whether or not equilibrium is sought on them
   std::vector<LevelGraph> graphs;
   ListedLevels listed;  ///< what graphs and arrays have
-  std::vector<QuasistaticMesh<Host>> coarser;
+  std::vector<Mesh> coarser;
+  // Of all nodes of the meshes on which equilibrium is sought, as MeshLevel has them: loads are coarsened by these.
+  std::vector<std::vector<std::uint8_t>> fixed;
+  std::vector<std::vector<std::array<Index, 2>>> parents;  ///< of all but the coarsest of these
 
-  /// @param replicated coarser meshes of more nodes are cut; or as levels_that_are_cut() says
+  /// @param replicated as levels_that_are_cut() takes it
   WholeBody(const Ranks& ranks, const std::vector<MeshLevel>& given, const Loading& loading,
             const SolverSettings& settings, std::optional<index_t> replicated) {
     const InStage stage("arrays of meshes");
     const auto [used, solved] = used_levels(settings, given.size(), given.size());
-    const auto in_use = std::span(given).first(used);
     std::vector<index_t> nodes;
-    for (const MeshLevel& level : given) nodes.push_back(level.mesh.nodes);
+    for (const MeshLevel& level : given) nodes.push_back(level.is_grid() ? 0 : level.mesh.nodes);
     cut = levels_cut_by_solver(nodes, settings, ranks.count(), replicated);
-    PartOfLevels part = part_of_levels(in_use, cut, ranks.rank(), ranks.count());
+    PartOfLevels part = part_of_levels(std::span(given).first(used), cut, ranks.rank(), ranks.count(), assembled);
     graphs = std::move(part.graphs);
     listed = std::move(part.listed);
-    levels.resize(used);
+    this->levels.resize(used);
     coarser.resize(solved - 1);
     std::vector<Point> motion = loading.motion, forces = loading.forces;
-    const auto no_chunk = std::make_shared<scenes::quasistatic_scene::Chunk<>>();
+    const auto no_chunk = std::make_shared<typename Mesh::Chunk>();
     for (std::size_t l = 0; l < solved; ++l) {
       const MeshLevel& level = given[l];
-      const MeshLevel& here = l < part.levels.size() ? part.levels[l] : level;
-      Types::Arrays arrays(here, graphs[l], l + 1 < solved, TangentLists::of_edges, no_chunk);
-      const auto here_of = [&](const std::vector<Point>& of_nodes) {
-        const auto first = of_nodes.begin() + (of_nodes.empty() ? 0 : listed.of(l, graphs[l]).nodes.offset);
-        return std::vector<Point>(first, first + (of_nodes.empty() ? 0 : here.mesh.nodes));
+      const bool is_part = l < part.levels.size();
+      const MeshLevel& here = is_part ? part.levels[l] : level;
+      Arrays arrays(here, graphs[l], l + 1 < solved, assembled ? TangentLists::of_edges : TangentLists::of_nodes,
+                    no_chunk);
+      const auto here_of = [&, first = listed.of(l, graphs[l]).nodes.offset](const std::vector<Point>& of_nodes) {
+        if (of_nodes.empty()) return std::vector<Point>();
+        return std::vector<Point>(of_nodes.begin() + first, of_nodes.begin() + first + here.mesh.nodes);
       };
       store_loading(arrays, here.fixed, here_of(motion), here_of(forces));
-      QuasistaticMesh<Host>& mesh = l == 0 ? *this : coarser[l - 1];
-      const double spacing = mean_spacing(level.mesh, level.rest);
-      mesh.facts.rounding_force = l < part.levels.size() ? rounding_force_of_box(settings, level, motion, spacing)
-                                                         : rounding_force(settings, level, motion, false, spacing);
-      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t fixed) { return fixed != 0; });
-      mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; });
-      where(arrays.patches,
-            [&](auto& over) { mesh.patches = std::move(static_cast<scenes::quasistatic_scene::Patches<>&>(over)); });
-      mesh.body = std::move(static_cast<Types::Arrays::Own&>(arrays));
-      if (l < part.levels.size()) part.levels[l] = {};
-      if (l + 1 < solved) coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
+      Mesh& mesh = l == 0 ? *this : coarser[l - 1];
+      mesh.facts.rounding_force = is_part ? rounding_force_of_box(settings, level, motion)
+                                          : rounding_force(settings, level, motion, false, arrays.spacing);
+      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t held) { return held != 0; });
+      mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t held) { return held == 7; });
+      where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<decltype(mesh.patches)&>(over)); });
+      mesh.body = std::move(static_cast<typename Arrays::Own&>(arrays));
+      if (is_part) part.levels[l] = {};
+      fixed.push_back(level.fixed);
+      if (l + 1 == solved) break;
+      parents.push_back(level.parents);
+      coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
     }
   }
   /// Keeps what arrays are filled with behind cut().
@@ -90,30 +121,31 @@ struct WholeBody : QuasistaticBody<Host> {
       graph = std::move(kept);
     }
     release_lists_of(*this);
-    for (QuasistaticMesh<Host>& mesh : coarser) release_lists_of(mesh);
+    for (Mesh& mesh : coarser) release_lists_of(mesh);
   }
 
  private:
   /// rounding_force() of a mesh of whose nodes each has tets, whether or not there are lists.
   static double rounding_force_of_box(const SolverSettings& settings, const MeshLevel& level,
-                                      const std::vector<Point>& motion, double spacing) {
+                                      const std::vector<Point>& motion) {
     double farthest = 0;
     for (std::size_t n = 0; n < level.rest.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) {
         farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
       }
     }
-    return rounding_force(node_stiffness(settings, false, spacing), farthest, level.rest.size());
+    const double stiffness = node_stiffness(settings, false, mean_spacing(level.mesh, level.rest));
+    return rounding_force(stiffness, farthest, level.rest.size());
   }
-  static void release_lists_of(QuasistaticMesh<Host>& mesh) {
-    Types::Arrays::Own kept;
+  static void release_lists_of(Mesh& mesh) {
+    typename Arrays::Own kept;
     kept.rest = std::move(mesh.body.rest);
     kept.loads = std::move(mesh.body.loads);
     kept.motion = std::move(mesh.body.motion);
     kept.state = std::move(mesh.body.state);
     kept.volumes = std::move(mesh.body.volumes);
     mesh.body = std::move(kept);
-    mesh.patches = scenes::quasistatic_scene::Patches<>();
+    mesh.patches = decltype(mesh.patches)();
   }
 };
 

@@ -1,0 +1,144 @@
+// What a rank has of a body: its part of the finest mesh, and those of coarser ones.
+#pragma once
+
+#include <fem/solver/levels/level_halos.h>
+#include <fem/solver/solvers/part_of_equilibrium.h>
+#include <fem/solver/solvers/whole_body.h>
+#include <solved_halos.h>  // which CMake writes: the tables of the rows
+
+#include <array>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace physgen::fem {
+
+/// The table of kernels of a scene in a row of PHYSGEN_EQUILIBRIUM_SCENES.
+template <class Scene>
+[[nodiscard]] HaloUses halos_of();
+#define PHYSGEN_HALOS_OF(scene, ...)          \
+  template <>                                 \
+  inline HaloUses halos_of<scenes::scene>() { \
+    return scenes::scene##_scene::halos;      \
+  }
+PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_HALOS_OF)
+#undef PHYSGEN_HALOS_OF
+
+namespace detail {
+
+[[nodiscard]] inline std::string in_brackets(std::size_t k) { return "[" + std::to_string(k) + "]"; }
+
+/// The parts of a rank, and what runs steps over them.
+template <class On, class Scene>
+struct PartOfRank {
+  using Space = typename On::Space;
+  using Mesh = QuasistaticMesh<Space, Scene>;
+  using WholeMesh = QuasistaticMesh<Host, Scene>;
+  using Part = PartOfEquilibrium<WholeBody<Scene>, QuasistaticBody<Space, Scene>>;
+  std::vector<Mesh> coarser;
+  elasticity::StressArray<double, Space> stresses_of_tets;
+  std::unique_ptr<Part> finest;
+  std::unique_ptr<On> on;
+
+  PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options)
+      : coarser(whole.coarser.size()) {
+    const InStage stage("parts of ranks");
+    const auto add_more = [&](auto& part) {
+      part.arrays.add("stresses.of_tets", "tet", stresses_of_tets);
+      for (std::size_t k = 0; k < coarser.size(); ++k) {
+        const bool is_cut = k + 1 < whole.cut;
+        if constexpr (!assembled) add_level(part.arrays, part.levels, whole, k, is_cut);
+        add(part.arrays, whole.coarser[k], k, is_cut, whole.listed.levels[k + 1]);
+      }
+      if constexpr (has_patches) {
+        for (std::size_t k = 0; k < coarser.size(); ++k) {
+          add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
+                      k == 0 ? whole.patches : whole.coarser[k - 1].patches, k, whole.listed);
+        }
+      }
+    };
+    finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
+    finest->facts.all_prescribed = whole.facts.all_prescribed;
+    for (std::size_t k = 0; k < coarser.size(); ++k) {
+      Mesh& mesh = coarser[k];
+      const MeshFacts& facts = whole.coarser[k].facts;
+      const ListedObjects nodes = whole.listed.levels[k + 1].nodes;
+      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
+      if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
+      mesh.facts.rounding_force = facts.rounding_force;
+      mesh.facts.moves = facts.moves;
+      mesh.facts.all_prescribed = facts.all_prescribed;
+      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
+    }
+    on = std::make_unique<On>(ranks, finest->arrays, options);
+  }
+
+ private:
+  static constexpr bool assembled = Mesh::Choices::assembled;
+  static constexpr bool has_patches = !std::is_same_v<decltype(Mesh::patches), NoArrays>;
+
+  static HaloUses table() {
+    static const std::vector<HaloUse> rows = with_halos_of_levels(halos_of<Scene>());
+    return rows;
+  }
+  static std::string name_of_level(std::size_t l) { return "level" + (l == 0 ? "" : in_brackets(l)); }
+  static void add_set(DistributedArrays& arrays, const std::string& set, index_t size, bool is_cut,
+                      const std::string& followed) {
+    if (!is_cut) return arrays.add_replicated_set(set, size);
+    arrays.add_set(set, size);
+    if (!followed.empty()) arrays.follow(set, followed);
+  }
+  /// Level k + 1 of tangents that are not assembled, and the parents of level k.
+  template <class Levels>
+  static void add_level(DistributedArrays& arrays, Levels& levels, const WholeBody<Scene>& whole, std::size_t k,
+                        bool is_cut) {
+    const ListedObjects own = whole.listed.levels[k].nodes, of_coarser = whole.listed.coarser[k].nodes;
+    const std::string fine = k == 0 ? "node" : name_of_level(k) + ".node", coarse = name_of_level(k + 1) + ".node";
+    add_set(arrays, coarse, of_coarser.size, is_cut, "");
+    add_level_by_tets(arrays, in_brackets(k + 1), coarse, levels[k + 1]);
+    arrays.add(name_of_level(k) + ".parents", fine, levels[k].parents.contents());
+    arrays.connect(
+        levels[k].parents.contents(), "nodes", coarse,
+        [&graph = whole.graphs[k], own, before = static_cast<Index>(of_coarser.offset)](index_t node) {
+          const auto& [p, q] = graph.parents[at(own.here(node))];
+          return std::array{p + before, q + before};
+        },
+        own.known);
+  }
+  /// Mesh k + 1, which is cut, or which all ranks have.
+  void add(DistributedArrays& arrays, const WholeMesh& whole, std::size_t k, bool is_cut, const ListedLevel& listed) {
+    const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
+                      patch = "patch" + number;
+    Mesh& mesh = coarser[k];
+    const MeshSets sets{level + ".node", tet, tet, tet};
+    add_set(arrays, tet, listed.tets.size, is_cut, sets.node);
+    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed);
+    if constexpr (assembled) add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body, listed);
+    if constexpr (has_patches) {
+      if (whole.body.volumes.size() == 0) return;
+      add_set(arrays, patch, listed.patches.size, is_cut, sets.node);
+      add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches, listed);
+      if constexpr (assembled) {
+        add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
+      } else {
+        add_node_patches(arrays, number, sets.node, patch, mesh.patches, whole.patches, listed);
+      }
+    }
+  }
+  /// Of the patches of mesh k, among those of the next coarser one.
+  template <class Patches, class WholePatches>
+  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholePatches& whole, std::size_t k,
+                          const ListedLevels& listed) {
+    if (whole.parents.size() == 0) return;
+    const std::string number = k == 0 ? "" : in_brackets(k);
+    arrays.add("patches" + number + ".parents", "patch" + number, patches.parents.contents());
+    arrays.connect(patches.parents.contents(), "patch", "patch" + in_brackets(k + 1),
+                   patch_of(whole.parents, listed.levels[k].patches, listed.coarser[k].patches),
+                   listed.levels[k].patches.known);
+  }
+};
+
+}  // namespace detail
+
+}  // namespace physgen::fem
