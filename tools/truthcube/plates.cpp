@@ -68,14 +68,8 @@ Plate hold(std::span<const MeshLevel> levels, std::span<const fem::Face> surface
   std::ranges::copy_if(surface, std::back_inserter(faces), [&](const fem::Face& f) { return are_all_held(f, held); });
   const std::vector<double> areas = fem::surface_areas(levels.front().rest, faces);
   plate.area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const fem::TetMesh& mesh = levels.front().mesh;
-  for (const Index n : plate.nodes.front()) {
-    const fem::IncidenceList& tets = mesh.node_tets;
-    for (Index k = tets.first[static_cast<std::size_t>(n)]; k < tets.first[static_cast<std::size_t>(n) + 1]; ++k) {
-      const auto [tet, corner] = tets.entries[static_cast<std::size_t>(k)];
-      if (corner == 0 && are_all_held(mesh.tets[static_cast<std::size_t>(tet)], held)) ++plate.whole_tets;
-    }
-  }
+  plate.whole_tets =
+      std::ranges::count_if(levels.front().mesh.tets, [&](const auto& corners) { return are_all_held(corners, held); });
   return plate;
 }
 

@@ -1,5 +1,6 @@
 #include "ranks_of_run.h"
 
+#include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 #include <physgen/error.h>
 #include <physgen/launch/processors.h>
@@ -111,6 +112,14 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::strin
   return solver;
 }
 
+std::size_t RanksOfRun::levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const {
+  if (!are_several() || options.output == Output::surface) return 0;  // a surface is found by rows of tets
+  std::vector<index_t> nodes;
+  for (const LevelCounts& level : counts) nodes.push_back(level.nodes);
+  const std::size_t cut = fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
+  return std::min(cut, counts.size() - 1);  // by the edges of the coarsest, plates know how near nodes are theirs
+}
+
 void RanksOfRun::print_parts(const Terminal& terminal) const {
   const fem::PartOfMesh part = solver_->part();
   print_table(terminal,
@@ -149,6 +158,10 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::strin
                                                                 const fem::Loading& /*loading*/,
                                                                 const fem::SolverSettings& /*settings*/) {
   throw Error("this build has no solver on several ranks");
+}
+std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,
+                                             const std::vector<LevelCounts>& /*counts*/) const {
+  return 0;
 }
 void RanksOfRun::print_parts(const Terminal& /*terminal*/) const {}
 void RanksOfRun::print_iteration(const Terminal& /*terminal*/) const {}

@@ -13,6 +13,7 @@
 
 #include "options.h"
 #include "output/run_json.h"
+#include "sizes.h"
 #include "terminal.h"
 
 namespace physgen::fem {
@@ -40,6 +41,10 @@ class RanksOfRun {
   [[nodiscard]] bool any(bool is_so) const;
   /// See Ranks::agree().
   void agree(const std::string& what, const std::string& value) const { ranks_.agree(what, value); }
+
+  /// Of so many of the finest levels several ranks need no lists but those of their parts, which they make.
+  /// @param counts of all levels
+  [[nodiscard]] std::size_t levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const;
 
   /// The solver of several ranks, which print_parts() and count() ask: it lives as long as they are called.
   [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::string& scene,

@@ -117,7 +117,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   }
 
   terminal.set_up(2, parts, "meshes of " + std::to_string(counts.front().tets) + " tets");
-  if (options.is_cube()) scene = make_scene(options, make_cube(options));
+  if (options.is_cube()) scene = make_scene(options, make_cube(options, ranks.levels_without_lists(options, counts)));
   adapt_smoother(options, scene);
   const fem::MeshLevel& finest = scene.levels.front();
   if (options.historical) {

@@ -8,6 +8,7 @@
 #include <fem/mesh/material_order.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/background_grid.h>
+#include <fem/solver/hierarchy/cube_levels.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -121,8 +122,10 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   return {std::move(levels), std::move(read.tet_tags), std::move(groups), {}, {}};
 }
 
-std::vector<MeshLevel> make_cube(const Options& options) {
-  auto levels = fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+std::vector<MeshLevel> make_cube(const Options& options, std::size_t without_lists) {
+  constexpr Index coarsest = 2;
+  auto levels = fem::make_cube_levels_without_lists(
+      options.cells, cube_side, options.volume == VolumeTreatment::patches, coarsest, without_lists);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     fem::grade_cube(levels[l].rest, options.cells >> l, cube_side, options.grading);
   }

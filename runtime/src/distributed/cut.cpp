@@ -11,7 +11,7 @@
 
 namespace physgen {
 
-void Partition::cut() {
+void Partition::cut(const std::function<void()>& behind_names) {
   if (is_cut_) throw Error("cut() was called a second time; make other arrays");
   std::string text;
   for (const DistributedSet& set : sets_) {
@@ -38,13 +38,22 @@ void Partition::cut() {
   find_reached();
   find_fields_that_name_parts();
   is_cut_ = true;
-  for (DistributedArray& array : arrays_) {
-    const DistributedSet& set = sets_[static_cast<std::size_t>(array.set)];
-    if (set.kind != DistributedSet::Kind::entries) array.resize(set.local ? set.local->size() : set.size);
-  }
-  for (const Connection& connection : connections_) {
+  const auto resize = [&](bool those_that_name) {
+    for (DistributedArray& array : arrays_) {
+      const DistributedSet& set = sets_[static_cast<std::size_t>(array.set)];
+      const bool names = std::ranges::count(array.is_index, 1) > 0;
+      if (names != those_that_name || set.kind == DistributedSet::Kind::entries) continue;
+      array.resize(set.local ? set.local->size() : set.size);
+    }
+  };
+  resize(true);
+  for (Connection& connection : connections_) {
     if (connection.store) connection.store(connection.named);
+    connection.store = {};
+    connection.named = {};
   }
+  if (behind_names) behind_names();
+  resize(false);
   for (DistributedArray& array : arrays_) array.memory = array.untyped();
 }
 

@@ -167,7 +167,7 @@ std::int32_t* Partition::first_index(const UntypedArray& array, std::string_view
 }
 
 void Partition::connect_field(const void* array, const std::string& field, std::string_view target,
-                              detail::NamedObjects named) {
+                              const KnownObjects& known, detail::NamedObjects::Tell tell) {
   const int number = number_of_array(array), to = number_of(target);
   DistributedArray& source = arrays_[static_cast<std::size_t>(number)];
   const UntypedArray untyped = source.untyped();
@@ -177,7 +177,7 @@ void Partition::connect_field(const void* array, const std::string& field, std::
   const auto store = [this, number, to, field, of](const detail::NamedObjects& named_objects) {
     store_numbers(number, to, field, of, named_objects);
   };
-  connections_.push_back({source.set, to, std::move(named), store});
+  connections_.push_back({source.set, to, {of, known, std::move(tell)}, store});
 }
 
 void Partition::store_numbers(int array, int target, const std::string& field, const std::string& of,
@@ -208,8 +208,7 @@ void Partition::store_numbers(int array, int target, const std::string& field, c
 }
 
 void Partition::connect_entries(const void* ranges, const std::string& name, const std::string& field,
-                                std::vector<std::pair<int, detail::NamedObjects>> targets,
-                                std::function<void()> store) {
+                                std::vector<std::pair<int, detail::NamedObjects>> targets, Store store) {
   const int rows = number_of_array(ranges), last = static_cast<int>(arrays_.size()) - 1;
   DistributedArray& of_ranges = arrays_[static_cast<std::size_t>(rows)];
   DistributedArray& entries = arrays_.back();
@@ -222,7 +221,6 @@ void Partition::connect_entries(const void* ranges, const std::string& name, con
   for (const char* one : {".begin", ".end"}) {
     namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set, rows});
   }
-  const auto store_entries = [store = std::move(store)](const detail::NamedObjects& /*named*/) { store(); };
   for (std::size_t t = 0; t < targets.size(); ++t) {
     auto& [target, named] = targets[t];
     namings_.push_back({name + "." + field, entries.set, target, last, static_cast<int>(connections_.size())});
@@ -230,7 +228,7 @@ void Partition::connect_entries(const void* ranges, const std::string& name, con
     added.source = of_ranges.set;
     added.target = target;
     added.named = std::move(named);
-    if (t == 0) added.store = store_entries;
+    if (t == 0) added.store = std::move(store);
   }
 }
 

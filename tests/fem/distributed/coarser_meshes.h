@@ -48,15 +48,17 @@ struct CoarserParts {
       } else {
         arrays.add_replicated_set(tet, whole[k].body.tets.size());
       }
-      add_mesh(arrays, number, {level + ".node", tet, tet, tet}, parts[k].body, parts[k].chunk, parts[k].krylov,
-               whole[k].body);
-      add_edge_tets(arrays, number, level + ".edge", tet, parts[k].body, whole[k].body);
+      const auto& body = whole[k].body;
+      const ListedLevel listed{{body.rest.size()}, {body.edge_tet_ranges.size()}, {body.tets.size()}, {}};
+      add_mesh(arrays, number, {level + ".node", tet, tet, tet}, parts[k].body, parts[k].chunk, parts[k].krylov, body,
+               listed);
+      add_edge_tets(arrays, number, level + ".edge", tet, parts[k].body, body, listed);
     }
   }
   void fill(DistributedArrays& arrays) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Mesh& mesh = parts[k];
-      fill_mesh(arrays, mesh.body, mesh.krylov, whole[k].body);
+      fill_mesh(arrays, mesh.body, mesh.krylov, whole[k].body, {whole[k].body.rest.size()});
       mesh.facts.rounding_force = whole[k].facts.rounding_force;
       mesh.facts.plane_stiffness = whole[k].facts.plane_stiffness;
       mesh.facts.moves = whole[k].facts.moves;

@@ -118,9 +118,15 @@ void fill_anywhere(Body& body, const Graph& graph) {
   }
 }
 
+/// All objects.
+struct AllKnown {
+  KnownObjects operator()(const char* /*set*/) const { return {}; }
+};
 /// @param has_others whether edges name other nodes, too, in an array that a program may swap with theirs
-template <class Body>
-void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows, bool has_others) {
+/// @param known known(set) are those of which this rank tells what they name
+template <class Body, class Known = AllKnown>
+void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows, bool has_others,
+                const Known& known = {}) {
   arrays.add_set("node", graph.nodes);
   arrays.add_set("edge", static_cast<index_t>(graph.edges.size()));
   arrays.add_set("quad", static_cast<index_t>(graph.quads.size()));
@@ -140,17 +146,19 @@ void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool 
   arrays.add("b.springs", "spring", body.springs);
   arrays.add("b.quads", "quad", body.quads);
   arrays.add("b.shares", "quad", body.shares);
-  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return graph.edges[Graph::at(e)]; });
+  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return graph.edges[Graph::at(e)]; }, known("edge"));
   if (has_others) {
     arrays.add("b.others", "edge", body.others);
-    arrays.connect(body.others, "nodes", "node", [&](index_t e) { return graph.others[Graph::at(e)]; });
+    arrays.connect(body.others, "nodes", "node", [&](index_t e) { return graph.others[Graph::at(e)]; }, known("edge"));
   }
-  arrays.connect(body.quads, "nodes", "node", [&](index_t t) { return graph.quads[Graph::at(t)]; });
-  arrays.connect_rows(body.ranges, "b.ends", body.ends, "element", "edge",
-                      [&](index_t i) -> const auto& { return graph.ends[Graph::at(i)]; });
+  arrays.connect(body.quads, "nodes", "node", [&](index_t t) { return graph.quads[Graph::at(t)]; }, known("quad"));
+  arrays.connect_rows(
+      body.ranges, "b.ends", body.ends, "element", "edge",
+      [&](index_t i) -> const auto& { return graph.ends[Graph::at(i)]; }, 0, known("node"));
   arrays.same_set("spring", "edge");  // behind what has them
-  arrays.connect_rows(body.touched, "b.touches", body.touches, "element", "quad",
-                      [&](index_t i) -> const auto& { return graph.touches[Graph::at(i)]; });
+  arrays.connect_rows(
+      body.touched, "b.touches", body.touches, "element", "quad",
+      [&](index_t i) -> const auto& { return graph.touches[Graph::at(i)]; }, 0, known("node"));
   arrays.add_replicated_set("group", static_cast<index_t>(graph.links.size()));
   arrays.add("b.totals", "group", body.totals);
   arrays.add("b.calms", "group", body.calms);
@@ -158,11 +166,11 @@ void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool 
   arrays.add("b.homes", "mean", body.homes);
   arrays.add("b.member_ranges", "group", body.member_ranges);
   arrays.connect(body.links, "nodes", "group", [&](index_t g) { return graph.links[Graph::at(g)]; });
-  arrays.connect(body.homes, "nodes", "group", [&](index_t n) { return graph.homes[Graph::at(n)]; });
+  arrays.connect(body.homes, "nodes", "group", [&](index_t n) { return graph.homes[Graph::at(n)]; }, known("node"));
   arrays.connect_rows(
       body.member_ranges, "b.members", body.members, "element", {"spring", "node"},
       [&](index_t g) -> const auto& { return graph.members[Graph::at(g)]; }, 0,
-      [](const auto& member) { return int(member.local); });
+      [](const auto& member) { return int(member.local); }, known("group"));
   arrays.cut();
 }
 

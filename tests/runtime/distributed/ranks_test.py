@@ -64,6 +64,20 @@ def random_programs_over_random_graphs_have_them_too():
     assert int(re.search(r"(\d+) exchanges overlapped", output).group(1)) > 0, output
 
 
+def ranks_need_to_know_no_more_objects_than_they_have():
+    """Ranks that know what they have name the same as those that know all, also with threads; one less is refused by name."""
+    for k, count in enumerate((1, 2, 3, 4, 8)):
+        for threads in ("1", "3"):
+            first = 30 * k
+            status, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", str(count), program("known"), "--seeds", str(first),
+                                            str(first + 30), environment={"OMP_NUM_THREADS": threads})
+            assert status == 0 and output.count(" 0 differences") == count, f"{count} ranks, {threads} threads: {output}{errors}"
+    for lacking in ("node", "edge", "quad", "group"):
+        done = ranks(3, "known", "--seeds", "0", "30", "--lacks", lacking)
+        fails(done, "let ", " know more")
+        print(lacking, re.search("physgen: .*", done[2]).group(0))
+
+
 def a_row_of_the_table_that_is_left_out_is_missed():
     """Each row of the table that an exchange or a stale field depends on is missed when it is left out."""
     status, output, errors, _ = ranks(3, "graphs", "--seeds", "0", "24", "--most", "9000", "--without", "each")

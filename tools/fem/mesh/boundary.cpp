@@ -39,7 +39,11 @@ Point twice_area_of(const char* who, std::size_t number, const Face& face, std::
 
 std::vector<Face> boundary_faces(const TetMesh& mesh) {
   InStage stage("surface");
-  const auto tets_of = tets_of_nodes(mesh);
+  const bool is_box = detail::has_tets_of_box(mesh);
+  const auto tets_of = [&](Index node, const auto& act) {  // of a box without its rows, too
+    if (!is_box) return tets_of_nodes(mesh)(node, act);
+    detail::each_tet_of_box_node(mesh, node, [&](Index tet, Index /*corner*/) { act(tet); });
+  };
   HostList<Index> first;
   HostList<Face> found;
   const auto make_scratch = [] { return FacesOfNode(); };
@@ -58,7 +62,7 @@ std::vector<Face> boundary_faces(const TetMesh& mesh) {
           row.push_back(face);
         });
   };
-  if (detail::has_tets_of_box(mesh)) {
+  if (is_box) {
     const detail::AlikeNodes nodes(*mesh.box, 1);
     const auto move = [&nodes](Face face, const detail::AlikeNodes::Node& node) {
       for (Index& corner : face) corner += nodes.nodes_beyond(node);

@@ -10,21 +10,13 @@ namespace physgen::fem::detail {
 
 namespace {
 
-constexpr Index tets_per_cell = 6;
-
 void write_node_tets(TetMesh& mesh, const AlikeNodes& nodes) {
   InStage stage("rows of tets");
   move_rows(
       nodes, [] { return 0; },
       [&mesh](index_t n, int /*scratch*/, std::vector<IncidenceEntry>& row) {
-        const auto node = static_cast<Index>(n);
-        each_cell_of_node(*mesh.box, place_of(*mesh.box, node), [&](Index cell, Index /*slot*/) {
-          for (Index tet = tets_per_cell * cell; tet < tets_per_cell * (cell + 1); ++tet) {
-            for (Index c = 0; c < 4; ++c) {
-              if (mesh.tets[at(tet)][at(c)] == node) row.push_back({tet, c});
-            }
-          }
-        });
+        each_tet_of_box_node(mesh, static_cast<Index>(n),
+                             [&](Index tet, Index corner) { row.push_back({tet, corner}); });
       },
       [&nodes](const IncidenceEntry& entry, const AlikeNodes::Node& node) {
         return IncidenceEntry{entry.element + tets_per_cell * nodes.cells_beyond(node), entry.local};

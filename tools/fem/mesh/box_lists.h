@@ -14,6 +14,23 @@ namespace physgen::fem::detail {
 /// lies on the upper side along axis k.
 [[nodiscard]] std::array<std::array<Index, 4>, 6> tets_of_cell(unsigned mirror);
 
+/// make_box_mesh() without what make_tet_mesh() finds: tets alone.
+/// @throws Error as it does
+[[nodiscard]] TetMesh make_box_tets(const BoxCells& box);
+
+inline constexpr Index tets_per_cell = 6;
+/// Calls act(tet, corner) for the tets of a box that touch a node, ascending.
+template <class Act>
+void each_tet_of_box_node(const TetMesh& mesh, Index node, const Act& act) {
+  each_cell_of_node(*mesh.box, place_of(*mesh.box, node), [&](Index cell, Index /*slot*/) {
+    for (Index tet = tets_per_cell * cell; tet < tets_per_cell * (cell + 1); ++tet) {
+      for (Index c = 0; c < 4; ++c) {
+        if (mesh.tets[at(tet)][at(c)] == node) act(tet, c);
+      }
+    }
+  });
+}
+
 /// Whether a mesh has the tets that make_box_mesh() makes of its box.
 [[nodiscard]] bool has_tets_of_box(const TetMesh& mesh);
 

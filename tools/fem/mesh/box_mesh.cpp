@@ -81,7 +81,8 @@ bool detail::has_tets_of_box(const TetMesh& mesh) {
   return has_all;
 }
 
-TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
+TetMesh detail::make_box_tets(const BoxCells& box) {
+  const auto& [nx, ny, nz] = box.cells;
   if (nx < 1 || ny < 1 || nz < 1) {
     throw Error("box mesh: cells " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) +
                 "; each count must be at least 1");
@@ -91,10 +92,15 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored
     throw Error("box mesh: " + std::to_string(6. * nx * ny * nz) + " tets: their incidences do not fit a 32-bit index");
   }
   TetMesh mesh;
-  mesh.box = BoxCells{{nx, ny, nz}, mirrored};
+  mesh.box = box;
   mesh.nodes = (nx + 1) * (ny + 1) * (nz + 1);
   mesh.tets.resize(6 * at(nx) * at(ny) * at(nz));
   write_box_tets(mesh);
+  return mesh;
+}
+
+TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
+  TetMesh mesh = detail::make_box_tets({{nx, ny, nz}, mirrored});
   detail::write_box_lists(mesh);
   return mesh;
 }

@@ -45,16 +45,20 @@ class DistributedArrays : public Partition {
   }
   /// A field of indices names objects of a set.
   /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called
-  /// for objects of all ranks, by several threads at once, and more than once
+  /// for objects of all ranks that are `known`, by several threads at once, and more than once
+  /// @param known which objects this rank can tell of: each object is known to one rank at least, and a rank knows
+  /// those that it has, and that name objects of its own; cut() throws where it does not
   /// @throw Error when the array, the field or the set is not known
   template <class Array, class Named>
-  void connect(const Array& array, const std::string& field, std::string_view target, const Named& named) {
-    connect_field(&array, field, target, [named](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
+  void connect(const Array& array, const std::string& field, std::string_view target, const Named& named,
+               const KnownObjects& known = {}) {
+    const auto tell = [named](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
       for (const index_t object : objects) {
         for (const auto number : named(object)) numbers.add(static_cast<index_t>(number));
         numbers.end_object();
       }
-    });
+    };
+    connect_field(&array, field, target, known, tell);
   }
   /// Rows (rows.h) of the objects of the set of `ranges`, whose entries name objects of another set, or of the same.
   /// `entries` is added by this.
@@ -63,14 +67,15 @@ class DistributedArrays : public Partition {
   /// @param shift the number is field >> shift, and what is below stays as it is
   template <class Ranges, class Entries, class Row>
   void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
-                    std::string_view target, const Row& row, int shift = 0) {
-    connect_rows(ranges, name, entries, field, {target}, row, shift, [](const auto& /*entry*/) { return 0; });
+                    std::string_view target, const Row& row, int shift = 0, const KnownObjects& known = {}) {
+    connect_rows(ranges, name, entries, field, {target}, row, shift, [](const auto& /*entry*/) { return 0; }, known);
   }
   /// The same where entries name objects of several sets.
   /// @param which which(entry) is the number of its set among `targets`
   template <class Ranges, class Entries, class Row, class Which>
   void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
-                    std::initializer_list<std::string_view> targets, const Row& row, int shift, const Which& which);
+                    std::initializer_list<std::string_view> targets, const Row& row, int shift, const Which& which,
+                    const KnownObjects& known = {});
 
   // ---- After it. An array is told by its memory, so that programs may move and swap arrays. ----
 
@@ -163,7 +168,7 @@ void DistributedArrays::fill(Array& array, const Whole& whole) {
 template <class Ranges, class Entries, class Row, class Which>
 void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& name, Entries& entries,
                                      const std::string& field, std::initializer_list<std::string_view> targets,
-                                     const Row& row, int shift, const Which& which) {
+                                     const Row& row, int shift, const Which& which, const KnownObjects& known) {
   using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
   const int rows = number_of_array(&ranges);
   std::vector<int> named_sets;
@@ -173,7 +178,7 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
   using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
   std::vector<std::pair<int, detail::NamedObjects>> named;
   for (std::size_t k = 0; k < named_sets.size(); ++k) {
-    named.emplace_back(named_sets[k], [=](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
+    const auto tell = [=](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
       One one(1);  // in which the field is found by its name
       const std::int32_t* const number = first_index(one.untyped(), field);
       const auto view = one.view();
@@ -185,9 +190,10 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
         }
         numbers.end_object();
       }
-    });
+    };
+    named.emplace_back(named_sets[k], detail::NamedObjects(name, known, tell));
   }
-  const auto store = [=, this, &entries, of = name + "." + field] {
+  const auto store = [=, this, &entries, of = name + "." + field](const detail::NamedObjects& connected) {
     const int set = arrays()[static_cast<std::size_t>(rows)].set;
     const LocalSet& objects = *sets()[static_cast<std::size_t>(set)].local;
     index_t first = 0, last = objects.size();
@@ -196,6 +202,9 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
       first = std::max(first, from), last = std::min(last, to);
     }
     const index_t count = std::max(last - first, index_t{0});
+    for (const index_t end : {first, last - 1}) {
+      if (count > 0) connected.require_known(objects.global(end));
+    }
     std::vector<std::int32_t> begins(static_cast<std::size_t>(count) + 1, 0);
     detail::host_loop(count, [&](index_t k) {
       const auto& entries_of_row = row(objects.global(first + k));

@@ -98,8 +98,10 @@ class Partition {
 
   /// Decides what each rank owns, makes what it needs of others present, and gives the arrays their objects, with
   /// initial values, and with local numbers in the fields that name others.
+  /// @param behind_names called when what objects name is not asked for any more, and before arrays that name none get
+  /// their objects: the lists that connect() was given may go
   /// @throw Error when a number names no object
-  void cut();
+  void cut(const std::function<void()>& behind_names = {});
 
   // ---- After it. ----
 
@@ -126,13 +128,17 @@ class Partition {
   [[nodiscard]] int need_of(int set, HaloNeedBits needs);
 
  protected:
+  /// Stores local numbers of what objects name.
+  using Store = std::function<void(const detail::NamedObjects& named)>;
+
   void add_set(const std::string& name, index_t size, DistributedSet::Kind kind);
   void add_array(DistributedArray array);
-  void connect_field(const void* array, const std::string& field, std::string_view target, detail::NamedObjects named);
+  void connect_field(const void* array, const std::string& field, std::string_view target, const KnownObjects& known,
+                     detail::NamedObjects::Tell tell);
   /// @param targets the sets that entries name, and which numbers of each
   /// @param store makes rows, behind cut()
   void connect_entries(const void* ranges, const std::string& name, const std::string& field,
-                       std::vector<std::pair<int, detail::NamedObjects>> targets, std::function<void()> store);
+                       std::vector<std::pair<int, detail::NamedObjects>> targets, Store store);
   [[nodiscard]] int number_of(std::string_view set) const;
   [[nodiscard]] int number_of_array(const void* array) const;
   [[nodiscard]] const LocalSet& set_of(int array) const;
@@ -168,15 +174,16 @@ class Partition {
   struct Connection {
     int source, target;
     detail::NamedObjects named;
-    /// Local numbers of what `named` tells, behind cut(); or none, where another connection does.
-    std::function<void(const detail::NamedObjects& named)> store;
+    Store store;  ///< behind cut(); or none, where another connection does it
     /// Local numbers of an object that is computed here and of one that it names, where that is a ghost or leads to
     /// one.
     std::vector<std::array<index_t, 2>> to_ghosts = {};
   };
   /// @return of each set that follows, ascending: the objects that name one that this rank owns
   [[nodiscard]] std::vector<std::vector<index_t>> decide_runs();
+  [[nodiscard]] std::vector<index_t> decide_runs_of(int following);
   void decide_computed();
+  void decide_computed_of(int replicated);
   void store_numbers(int array, int target, const std::string& field, const std::string& of,
                      const detail::NamedObjects& named) const;
   void find_ghosts(const std::vector<std::vector<index_t>>& touching);

@@ -1,10 +1,12 @@
 #include <fem/mesh/refine.h>
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/box_levels.h>
+#include <fem/solver/hierarchy/cube_levels.h>
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
 #include <cmath>
+#include <utility>
 
 namespace physgen::fem {
 
@@ -114,6 +116,11 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
 IncidenceList make_node_patches(const MeshLevel& level) { return detail::patches_of_nodes(level); }
 
 std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {
+  return make_cube_levels_without_lists(cells, side, patches, coarsest, 0);
+}
+
+std::vector<MeshLevel> make_cube_levels_without_lists(Index cells, double side, bool patches, Index coarsest,
+                                                      std::size_t without_lists) {
   std::vector<MeshLevel> levels;
   Index last_cells = cells;
   while (last_cells > 0 && last_cells % 2 == 0 && last_cells / 2 >= coarsest) last_cells /= 2;
@@ -123,7 +130,8 @@ std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, 
   };
   for (Index n = cells;; n /= 2) {
     MeshLevel level;
-    level.mesh = make_box_mesh(n, n, n, mirrored(n));
+    const bool has_lists = levels.size() >= without_lists;
+    level.mesh = has_lists ? make_box_mesh(n, n, n, mirrored(n)) : detail::make_box_tets({{n, n, n}, mirrored(n)});
     level.rest.resize(at(level.mesh.nodes));
     const auto place = [&](index_t k) { return side * (double(k) / double(n)); };
     for_each_index<4>(0, level.mesh.nodes, [&](index_t node) {
@@ -132,6 +140,7 @@ std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, 
     });
     level.fixed.assign(level.rest.size(), 0);
     if (patches) level.patches = cell_patches(level.mesh);
+    if (!has_lists) level.patches = {std::move(level.patches.nodes), std::move(level.patches.node_counts), {}, {}, {}};
     const bool last = n == last_cells;
     if (!last) {
       level.parents = box_parents(n / 2, n / 2, n / 2, mirrored(n / 2));

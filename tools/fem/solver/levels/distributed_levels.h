@@ -10,12 +10,12 @@
 #include <fem/mesh/at.h>
 #include <fem/solver/hierarchy/galerkin_block.h>
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/levels/linear_level.h>
 #include <physgen/distributed/arrays.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <ranges>
 #include <span>
 #include <string>
@@ -24,32 +24,19 @@
 
 namespace physgen::fem {
 
-/// Coarser levels of so many nodes, those of a cube of 36^3 cells, stand on every rank.
-inline constexpr index_t replicated_nodes = 50653;
-
-/// The number of levels that are cut: the finest, and meshes below it that have more nodes than `replicated`, or by
-/// themselves than replicated_nodes, and eight blocks a rank. None that is inverted as a whole. @param graphs finest
-/// first
-[[nodiscard]] inline std::size_t levels_that_are_cut(std::span<const LevelGraph> graphs, int ranks,
-                                                     std::optional<index_t> replicated = {}) {
-  const index_t most = std::max<index_t>(most_coarse_nodes,
-                                         replicated.value_or(std::max(replicated_nodes, 8 * Runs::block * ranks - 1)));
-  std::size_t cut = 1;
-  const auto is_large = [most](const LevelGraph& graph) { return !graph.is_grid && graph.nodes > most; };
-  while (cut < graphs.size() && is_large(graphs[cut])) ++cut;
-  return cut;
-}
-
 namespace detail {
 
 [[nodiscard]] inline std::string level_name(std::size_t l, const char* name) {
   return "level[" + std::to_string(l) + "]." + name;
 }
 
-/// A row of a list, packed. @param elements of the list, for which its codes must do
+/// A row of a list, packed, by numbers of all. @param rows whose list it is
+/// @param elements of the list, for which its codes must do
+/// @param before before(local) is what to add to the number of an element of an entry
 /// @throw Error when they do not, and when the list has no entries as yet
-template <class Packing>
-[[nodiscard]] auto packed_row_of(const IncidenceList& list, index_t elements, const char* name) {
+template <class Packing, class Before>
+[[nodiscard]] auto packed_row_of(const IncidenceList& list, const ListedObjects& rows, index_t elements,
+                                 const char* name, const Before& before) {
   if (elements > Packing::most_elements) {
     throw Error("a level has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
                 std::to_string(Packing::most_elements) + "; use fewer cells");
@@ -58,36 +45,50 @@ template <class Packing>
     throw Error("a level's graph says how many " + std::string(name) +
                 " its rows have, and not which; give graphs that make_level_graphs() made");
   }
-  return [&list](index_t row) {
-    const auto begin = at(list.first[at(row)]), end = at(list.first[at(row) + 1]);
-    return std::span(list.entries).subspan(begin, end - begin) | std::views::transform([](const IncidenceEntry& entry) {
+  return [&list, offset = rows.offset, before](index_t number) {
+    const std::size_t row = at(number - offset);
+    const auto begin = at(list.first[row]), end = at(list.first[row + 1]);
+    return std::span(list.entries).subspan(begin, end - begin) |
+           std::views::transform([before](const IncidenceEntry& entry) {
              quasistatic::PackedIncidence<float> packed;
-             packed.code = entry.element << Packing::bits | entry.local;
+             packed.code = (entry.element + before(entry.local)) << Packing::bits | entry.local;
              return packed;
            });
   };
 }
 
-/// To the next coarser level.
+/// To the next coarser level. @param own, coarser the lists of the level, and the rows of the coarser one
 template <class Level>
-void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGraph& graph, std::size_t l) {
-  const auto nodes = index_t{graph.nodes}, edges = static_cast<index_t>(graph.edges.size());
+void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGraph& graph, std::size_t l,
+                        const ListedLevel& own, const ListedLevel& coarser) {
+  const auto nodes_before = static_cast<Index>(own.nodes.offset), edges_before = static_cast<Index>(own.edges.offset);
   const std::string node = level_name(l, "node"), edge = level_name(l, "edge"), coarse = level_name(l + 1, "node");
   if (graph.grid_parents.empty()) {
-    arrays.connect(contents_of(level.parents), "nodes", coarse, [&graph](index_t n) { return graph.parents[at(n)]; });
+    arrays.connect(
+        contents_of(level.parents), "nodes", coarse,
+        [&graph, of = own.nodes, before = static_cast<Index>(coarser.nodes.offset)](index_t n) {
+          const auto& [p, q] = graph.parents[at(of.here(n))];
+          return std::array{p + before, q + before};
+        },
+        own.nodes.known);
   } else {
     arrays.connect(contents_of(level.grid_parents), "nodes", coarse,
                    [&graph](index_t n) { return graph.grid_parents[at(n)].nodes; });
   }
   arrays.connect_rows(contents_of(level.child_ranges), level_name(l, "child_entries"), contents_of(level.child_entries),
-                      "code", node, packed_row_of<ChildEntry>(graph.children, nodes, "nodes"), ChildEntry::bits);
-  arrays.connect_rows(contents_of(level.edge_term_ranges), level_name(l, "edge_term_entries"),
-                      contents_of(level.edge_term_entries), "code", {node, edge},
-                      packed_row_of<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges"),
-                      EdgeTermEntry::bits, [](const auto& entry) {
-                        const int code = entry.code & ((1 << EdgeTermEntry::bits) - 1);
-                        return galerkin_block(code) == GalerkinBlock::node ? 0 : 1;
-                      });
+                      "code", node,
+                      packed_row_of<ChildEntry>(graph.children, coarser.nodes, own.nodes.size, "nodes",
+                                                [nodes_before](Index /*local*/) { return nodes_before; }),
+                      ChildEntry::bits, coarser.nodes.known);
+  const auto is_of_node = [](int local) { return galerkin_block(local) == GalerkinBlock::node; };
+  arrays.connect_rows(
+      contents_of(level.edge_term_ranges), level_name(l, "edge_term_entries"), contents_of(level.edge_term_entries),
+      "code", {node, edge},
+      packed_row_of<EdgeTermEntry>(graph.edge_terms, coarser.edges, std::max(own.nodes.size, own.edges.size), "edges",
+                                   [=](Index local) { return is_of_node(local) ? nodes_before : edges_before; }),
+      EdgeTermEntry::bits,
+      [=](const auto& entry) { return is_of_node(entry.code & ((1 << EdgeTermEntry::bits) - 1)) ? 0 : 1; },
+      coarser.edges.known);
 }
 
 }  // namespace detail
@@ -96,11 +97,14 @@ void connect_to_coarser(DistributedArrays& arrays, Level& level, const LevelGrap
 /// @param levels pointers to groups of Level in solver_groups.h, without objects, finest first
 /// @param graphs of them, all of each; they outlive cut()
 /// @param cut the finest so many are cut, none of them of a background grid
+/// @param listed where graphs are of parts, of which
 /// @throw Error when such a one is, when one has more edges than lists can number, or was only counted
 template <class Levels>
-void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const LevelGraph> graphs, std::size_t cut) {
+void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const LevelGraph> graphs, std::size_t cut,
+                const ListedLevels& listed = {}) {
   for (std::size_t l = 0; l < graphs.size(); ++l) {
-    const auto nodes = index_t{graphs[l].nodes}, edges = static_cast<index_t>(graphs[l].edges.size());
+    const ListedLevel own = listed.of(l, graphs[l]);
+    const index_t nodes = own.nodes.size, edges = own.edges.size;
     if (l < cut && graphs[l].is_grid) {
       throw Error("level " + std::to_string(l) +
                   " is one of a background grid, which all ranks have; cut the levels above it alone");
@@ -135,12 +139,20 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
     add("correction", node, level.correction);
     add("direction", node, level.direction);
     add("power", node, level.power);
-    arrays.connect(contents_of(level.edges), "nodes", node, [&graph](index_t e) { return graph.edges[at(e)]; });
-    arrays.connect_rows(
-        contents_of(level.node_edge_ranges), detail::level_name(l, "node_edge_entries"),
-        contents_of(level.node_edge_entries), "code", edge,
-        detail::packed_row_of<NodeEdgeEntry>(graph.node_edges, static_cast<index_t>(graph.edges.size()), "edges"),
-        NodeEdgeEntry::bits);
+    const ListedLevel own = listed.of(l, graph);
+    arrays.connect(
+        contents_of(level.edges), "nodes", node,
+        [&graph, of = own.edges, before = static_cast<Index>(own.nodes.offset)](index_t e) {
+          const auto& [m, n] = graph.edges[at(of.here(e))];
+          return std::array{m + before, n + before};
+        },
+        own.edges.known);
+    arrays.connect_rows(contents_of(level.node_edge_ranges), detail::level_name(l, "node_edge_entries"),
+                        contents_of(level.node_edge_entries), "code", edge,
+                        detail::packed_row_of<NodeEdgeEntry>(
+                            graph.node_edges, own.nodes, own.edges.size, "edges",
+                            [before = static_cast<Index>(own.edges.offset)](Index /*local*/) { return before; }),
+                        NodeEdgeEntry::bits, own.nodes.known);
     if (graph.is_grid || !graph.grid_parents.empty()) add("translations", node, level.translations);
     if (l + 1 < graphs.size()) {
       if (graph.grid_parents.empty()) {
@@ -150,7 +162,7 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
       }
       add("child_ranges", detail::level_name(l + 1, "node"), level.child_ranges);
       add("edge_term_ranges", detail::level_name(l + 1, "edge"), level.edge_term_ranges);
-      detail::connect_to_coarser(arrays, level, graph, l);
+      detail::connect_to_coarser(arrays, level, graph, l, own, listed.coarser_of(l, graphs[l + 1]));
     } else if (l >= cut && graph.nodes <= most_coarse_nodes) {
       add("coarse_inverse", detail::level_name(l, "coarse_pair"), level.coarse_inverse);
     }
@@ -161,14 +173,15 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
 /// go by
 template <class Levels>
 [[nodiscard]] std::vector<EdgeSums> fill_levels(DistributedArrays& arrays, const Levels& levels,
-                                                std::span<const LevelGraph> graphs) {
+                                                std::span<const LevelGraph> graphs, const ListedLevels& listed = {}) {
   std::vector<EdgeSums> sums;
   for (std::size_t l = 0; l < graphs.size(); ++l) {
     auto& level = *levels[l];
     level.smoother.resize(1);  // on the device that cut() took
+    const ListedObjects nodes = listed.of(l, graphs[l]).nodes;
     arrays.fill(contents_of(level.constraints), [&](index_t node) {
       typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
-      value.fixed = graphs[l].fixed[at(node)];
+      value.fixed = graphs[l].fixed[at(nodes.here(node))];
       return value;
     });
     if (!graphs[l].grid_parents.empty()) {

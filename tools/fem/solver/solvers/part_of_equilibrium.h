@@ -11,6 +11,7 @@
 #endif
 
 #include <array>
+#include <functional>
 #include <ranges>
 #include <string>
 #include <type_traits>
@@ -18,21 +19,48 @@
 
 namespace physgen::fem {
 
-/// The entries of each row, by global numbers.
-template <class Ranges, class Entries>
-[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {
-  return [ranges = ranges.const_view(), entries = entries.const_view()](index_t object) {
-    const index_t begin = ranges[object].begin(), end = ranges[object].end();
-    return std::views::iota(begin, end) | std::views::transform([entries](index_t k) { return entries.get(k); });
+/// Adds to the number of a code. @tparam Packing of it
+template <class Packing>
+inline constexpr auto add_to_code = [](auto& entry, Index number) { entry.code += number << Packing::bits; };
+
+/// The entries of each row, by numbers of all.
+/// @param objects, elements those that have rows, and that entries name
+/// @param add add(entry, number) adds to the number of what an entry names
+template <class Ranges, class Entries, class Add>
+[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries, const ListedObjects& objects,
+                           const ListedObjects& elements, const Add& add) {
+  return [=, ranges = ranges.const_view(), entries = entries.const_view()](index_t number) {
+    const auto row = ranges[objects.here(number)];
+    const index_t begin = row.begin(), end = row.end();
+    return std::views::iota(begin, end) | std::views::transform([=](index_t k) {
+             auto entry = entries.get(k);
+             add(entry, static_cast<Index>(elements.offset));
+             return entry;
+           });
   };
 }
-/// The nodes that an object names, by global numbers.
+/// The same where the rows of all are here.
+template <class Ranges, class Entries>
+[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {
+  return rows_of(ranges, entries, {}, {}, [](auto& /*entry*/, Index /*number*/) {});
+}
+/// The nodes that an object names, by numbers of all.
 template <int kCount, class Array>
-[[nodiscard]] auto nodes_of(const Array& array) {
-  return [view = array.const_view()](index_t object) {
-    std::array<Index, kCount> nodes{};
-    for (int k = 0; k < kCount; ++k) nodes[static_cast<std::size_t>(k)] = view[object].nodes()[k];
-    return nodes;
+[[nodiscard]] auto nodes_of(const Array& array, const ListedObjects& objects = {}, const ListedObjects& nodes = {}) {
+  return [=, view = array.const_view()](index_t number) {
+    const auto object = view[objects.here(number)];
+    std::array<Index, kCount> named{};
+    for (int k = 0; k < kCount; ++k) {
+      named[static_cast<std::size_t>(k)] = object.nodes()[k] + static_cast<Index>(nodes.offset);
+    }
+    return named;
+  };
+}
+/// The patch that an object names, likewise.
+template <class Array>
+[[nodiscard]] auto patch_of(const Array& array, const ListedObjects& objects, const ListedObjects& patches) {
+  return [=, view = array.const_view()](index_t number) {
+    return std::array<Index, 1>{view[objects.here(number)].patch() + static_cast<Index>(patches.offset)};
   };
 }
 
@@ -41,10 +69,10 @@ struct MeshSets {
   std::string node, tet, chunk_tet, kept_tet;
 };
 /// The arrays of a mesh and of its linear solves, without those of its edges.
-/// @param number of the mesh where there are several, as "[1]"
+/// @param number of the mesh where there are several, as "[1]" @param listed the objects of all that `whole` has
 template <class Body, class Chunk, class Krylov, class WholeBody>
 void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, Body& body, Chunk& chunk,
-              Krylov& krylov, const WholeBody& whole) {
+              Krylov& krylov, const WholeBody& whole, const ListedLevel& listed) {
   const std::string of_body = "body" + number + ".", of_chunk = "chunk" + number + ".",
                     of_krylov = "krylov" + number + ".";
   arrays.add(of_body + "tets", sets.tet, body.tets.contents());
@@ -64,57 +92,70 @@ void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSe
   arrays.add(of_krylov + "residual", sets.node, krylov.residual);
   arrays.add(of_krylov + "direction", sets.node, krylov.direction);
   arrays.add(of_krylov + "product", sets.node, krylov.product);
-  arrays.connect(body.tets.contents(), "nodes", sets.node, nodes_of<4>(whole.tets));
-  arrays.connect_rows(body.node_tet_ranges.contents(), of_body + "node_tet_entries", body.node_tet_entries.contents(),
-                      "code", sets.tet, rows_of(whole.node_tet_ranges, whole.node_tet_entries), NodeTetEntry::bits);
+  arrays.connect(body.tets.contents(), "nodes", sets.node, nodes_of<4>(whole.tets, listed.tets, listed.nodes),
+                 listed.tets.known);
+  arrays.connect_rows(
+      body.node_tet_ranges.contents(), of_body + "node_tet_entries", body.node_tet_entries.contents(), "code", sets.tet,
+      rows_of(whole.node_tet_ranges, whole.node_tet_entries, listed.nodes, listed.tets, add_to_code<NodeTetEntry>),
+      NodeTetEntry::bits, listed.nodes.known);
 }
 /// What assembled tangents have besides.
 template <class Body, class WholeBody>
 void add_edge_tets(DistributedArrays& arrays, const std::string& number, const std::string& edge,
-                   const std::string& kept_tet, Body& body, const WholeBody& whole) {
+                   const std::string& kept_tet, Body& body, const WholeBody& whole, const ListedLevel& listed) {
   const std::string of_body = "body" + number + ".";
   arrays.add(of_body + "edge_tet_ranges", edge, body.edge_tet_ranges.contents());
-  arrays.connect_rows(body.edge_tet_ranges.contents(), of_body + "edge_tet_entries", body.edge_tet_entries.contents(),
-                      "code", kept_tet, rows_of(whole.edge_tet_ranges, whole.edge_tet_entries), EdgeTetEntry::bits);
+  arrays.connect_rows(
+      body.edge_tet_ranges.contents(), of_body + "edge_tet_entries", body.edge_tet_entries.contents(), "code", kept_tet,
+      rows_of(whole.edge_tet_ranges, whole.edge_tet_entries, listed.edges, listed.tets, add_to_code<EdgeTetEntry>),
+      EdgeTetEntry::bits, listed.edges.known);
 }
 /// What patches have over which volumes are averaged, without the lists by which tangents are summed.
 template <class Body, class Patches, class WholePatches>
 void add_patches(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, const std::string& patch,
-                 Body& body, Patches& patches, const WholePatches& whole) {
+                 Body& body, Patches& patches, const WholePatches& whole, const ListedLevel& listed) {
   const std::string of_patches = "patches" + number + ".";
   arrays.add("body" + number + ".volumes", patch, body.volumes);
   arrays.add(of_patches + "tet_patches", sets.tet, patches.tet_patches.contents());
   arrays.add(of_patches + "nodes", patch, patches.nodes.contents());
   arrays.add(of_patches + "patch_tet_ranges", patch, patches.patch_tet_ranges.contents());
   arrays.add(of_patches + "tangent", patch, patches.tangent);
-  arrays.connect(patches.tet_patches.contents(), "patch", patch, [view = whole.tet_patches.const_view()](index_t tet) {
-    return std::array<Index, 1>{view[tet].patch()};
-  });
-  arrays.connect(patches.nodes.contents(), "nodes", sets.node, nodes_of<8>(whole.nodes));
+  arrays.connect(patches.tet_patches.contents(), "patch", patch,
+                 patch_of(whole.tet_patches, listed.tets, listed.patches), listed.tets.known);
+  arrays.connect(patches.nodes.contents(), "nodes", sets.node, nodes_of<8>(whole.nodes, listed.patches, listed.nodes),
+                 listed.patches.known);
   arrays.connect_rows(patches.patch_tet_ranges.contents(), of_patches + "patch_tet_entries",
                       patches.patch_tet_entries.contents(), "tet", sets.tet,
-                      rows_of(whole.patch_tet_ranges, whole.patch_tet_entries));
+                      rows_of(whole.patch_tet_ranges, whole.patch_tet_entries, listed.patches, listed.tets,
+                              [](auto& entry, Index number) { entry.tet += number; }),
+                      0, listed.patches.known);
 }
 /// The patches of edges, where the stiffness is assembled.
 template <class Patches, class WholePatches>
 void add_edge_patches(DistributedArrays& arrays, const std::string& number, const std::string& edge,
-                      const std::string& patch, Patches& patches, const WholePatches& whole) {
+                      const std::string& patch, Patches& patches, const WholePatches& whole,
+                      const ListedLevel& listed) {
   const std::string of_patches = "patches" + number + ".";
   arrays.add(of_patches + "edge_patch_ranges", edge, patches.edge_patch_ranges.contents());
   arrays.connect_rows(patches.edge_patch_ranges.contents(), of_patches + "edge_patch_entries",
                       patches.edge_patch_entries.contents(), "code", patch,
-                      rows_of(whole.edge_patch_ranges, whole.edge_patch_entries), EdgePatchEntry::bits);
+                      rows_of(whole.edge_patch_ranges, whole.edge_patch_entries, listed.edges, listed.patches,
+                              add_to_code<EdgePatchEntry>),
+                      EdgePatchEntry::bits, listed.edges.known);
 }
 /// The same where nodes gather from patches, since it is not.
 template <class Patches, class WholePatches>
 void add_node_patches(DistributedArrays& arrays, const std::string& number, const std::string& node,
-                      const std::string& patch, Patches& patches, const WholePatches& whole) {
+                      const std::string& patch, Patches& patches, const WholePatches& whole,
+                      const ListedLevel& listed) {
   const std::string of_patches = "patches" + number + ".";
   arrays.add(of_patches + "changes", patch, patches.changes);
   arrays.add(of_patches + "node_patch_ranges", node, patches.node_patch_ranges.contents());
   arrays.connect_rows(patches.node_patch_ranges.contents(), of_patches + "node_patch_entries",
                       patches.node_patch_entries.contents(), "code", patch,
-                      rows_of(whole.node_patch_ranges, whole.node_patch_entries), NodePatchEntry::bits);
+                      rows_of(whole.node_patch_ranges, whole.node_patch_entries, listed.nodes, listed.patches,
+                              add_to_code<NodePatchEntry>),
+                      NodePatchEntry::bits, listed.nodes.known);
 }
 /// A level of tangents that are not assembled.
 template <class Level>
@@ -129,10 +170,10 @@ void add_level_by_tets(DistributedArrays& arrays, const std::string& number, con
 }
 /// As the solver fills its own. Behind cut().
 template <class Level>
-void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGraph& graph) {
+void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGraph& graph, const ListedObjects& nodes) {
   arrays.fill(level.constraints.contents(), [&](index_t node) {
     typename std::remove_cvref_t<decltype(level.constraints)>::Value value{};
-    value.fixed = graph.fixed[at(node)];
+    value.fixed = graph.fixed[at(nodes.here(node))];
     return value;
   });
   arrays.fill(level.scales, [](index_t /*node*/) {  // which an unpreconditioned solve leaves
@@ -143,11 +184,15 @@ void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGrap
 }
 /// As the solver fills its own. Behind cut().
 template <class Body, class Krylov, class WholeBody>
-void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole) {
-  arrays.fill(body.rest.contents(), whole.rest);
-  for (auto* positions : {&body.positions, &body.trial, &body.kept}) arrays.fill(*positions, whole.rest);
-  arrays.fill(body.loads.contents(), whole.loads);
-  arrays.fill(body.motion.contents(), whole.motion);
+void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole,
+               const ListedObjects& nodes) {
+  const auto fill = [&](auto& array, const auto& from) {
+    arrays.fill(array, [&, view = from.const_view()](index_t node) { return view.get(nodes.here(node)); });
+  };
+  fill(body.rest.contents(), whole.rest);
+  for (auto* positions : {&body.positions, &body.trial, &body.kept}) fill(*positions, whole.rest);
+  fill(body.loads.contents(), whole.loads);
+  fill(body.motion.contents(), whole.motion);
   body.state.resize(1);
   copy(body.state, whole.state);
   krylov.state.resize(1);
@@ -173,25 +218,27 @@ struct PartOfEquilibrium {
 
   /// @param whole of the same mesh on each rank. Where its volumes are not averaged, patches have no objects
   /// @param cut the finest so many levels are cut
-  /// @param add_more add_more(*this) adds further arrays
+  /// @param add_more add_more(*this) adds further arrays @param behind_names as cut() takes it
   template <class AddMore>
-  PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, std::size_t cut, const AddMore& add_more)
+  PartOfEquilibrium(const Ranks& ranks, HaloUses uses, const Whole& whole, std::size_t cut, const AddMore& add_more,
+                    const std::function<void()>& behind_names = {})
       : arrays(ranks, uses), levels(whole.levels.size()) {
     const MeshSets sets{"node", "tet", "chunk_tet", "kept_tet"};
-    add_sets(whole);
+    const ListedLevel listed = listed_of(whole);
+    add_sets(listed);
     if constexpr (Choices::assembled) {
-      add_levels(arrays, each_level(), whole.graphs, cut);
+      add_levels(arrays, each_level(), whole.graphs, cut, listed_levels_of(whole));
       arrays.same_set("node", "level[0].node");
     } else {
       add_level_by_tets(arrays, "", "node", levels.front());
     }
-    add_mesh(arrays, "", sets, body, chunk, krylov, whole.body);
-    if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body);
+    add_mesh(arrays, "", sets, body, chunk, krylov, whole.body, listed);
+    if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body, listed);
     if constexpr (!std::is_same_v<Patches, NoArrays>) {
-      if (whole.body.volumes.size() > 0) add_mesh_patches(whole);
+      if (whole.body.volumes.size() > 0) add_mesh_patches(sets, whole, listed);
     }
     add_more(*this);
-    arrays.cut();
+    arrays.cut(behind_names);
     fill(whole);
     note_facts(whole);
   }
@@ -202,29 +249,39 @@ struct PartOfEquilibrium {
     for (Level& level : levels) each.push_back(&level);
     return each;
   }
-  void add_sets(const Whole& whole) {
-    for (const char* set : {"node", "block_node"}) arrays.add_set(set, whole.body.rest.size());
-    for (const char* set : {"tet", "chunk_tet", "kept_tet"}) arrays.add_set(set, whole.body.tets.size());
+  /// Of those that are not whole, what they are of.
+  [[nodiscard]] static ListedLevels listed_levels_of(const Whole& whole) {
+    if constexpr (requires { whole.listed; }) return whole.listed;
+    return {};
+  }
+  [[nodiscard]] static ListedLevel listed_of(const Whole& whole) {
+    if constexpr (requires { whole.listed; }) return whole.listed.levels.front();
+    const auto& body = whole.body;
+    return {{body.rest.size()}, {body.edge_tet_ranges.size()}, {body.tets.size()}, {body.volumes.size()}};
+  }
+  void add_sets(const ListedLevel& listed) {
+    for (const char* set : {"node", "block_node"}) arrays.add_set(set, listed.nodes.size);
+    for (const char* set : {"tet", "chunk_tet", "kept_tet"}) arrays.add_set(set, listed.tets.size);
     arrays.same_set("block_node", "node");
     for (const char* set : {"chunk_tet", "kept_tet"}) arrays.same_set(set, "tet");
     arrays.follow("tet", "node");
   }
-  void add_mesh_patches(const Whole& whole) {
-    arrays.add_set("patch", whole.body.volumes.size());
+  void add_mesh_patches(const MeshSets& sets, const Whole& whole, const ListedLevel& listed) {
+    arrays.add_set("patch", listed.patches.size);
     arrays.follow("patch", "node");
-    add_patches(arrays, "", {"node", "tet", "chunk_tet", "kept_tet"}, "patch", body, patches, whole.patches);
+    add_patches(arrays, "", sets, "patch", body, patches, whole.patches, listed);
     if constexpr (Choices::assembled) {
-      add_edge_patches(arrays, "", "level[0].edge", "patch", patches, whole.patches);
+      add_edge_patches(arrays, "", "level[0].edge", "patch", patches, whole.patches, listed);
     } else {
-      add_node_patches(arrays, "", "node", "patch", patches, whole.patches);
+      add_node_patches(arrays, "", "node", "patch", patches, whole.patches, listed);
     }
   }
   void fill(const Whole& whole) {
-    fill_mesh(arrays, body, krylov, whole.body);
+    fill_mesh(arrays, body, krylov, whole.body, listed_of(whole).nodes);
     if constexpr (Choices::assembled) {
-      facts.sums = fill_levels(arrays, each_level(), whole.graphs);
+      facts.sums = fill_levels(arrays, each_level(), whole.graphs, listed_levels_of(whole));
     } else {
-      fill_level_by_tets(arrays, levels.front(), whole.graphs.front());
+      fill_level_by_tets(arrays, levels.front(), whole.graphs.front(), listed_of(whole).nodes);
     }
   }
   /// One chunk for all tets that are here.

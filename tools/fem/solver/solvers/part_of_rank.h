@@ -8,7 +8,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -42,32 +41,31 @@ struct PartOfRank {
   std::unique_ptr<Part> finest;
   std::unique_ptr<On> on;
 
-  PartOfRank(const Ranks& ranks, const WholeBody<Scene>& whole, std::optional<index_t> replicated,
-             const DistributedOptions& options)
+  PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options)
       : coarser(whole.coarser.size()) {
     const InStage stage("parts of ranks");
-    const std::size_t cut = levels_that_are_cut(whole.graphs, ranks.count(), replicated);
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stresses_of_tets);
       for (std::size_t k = 0; k < coarser.size(); ++k) {
-        const bool is_cut = k + 1 < cut;
-        if constexpr (!assembled) add_level(part.arrays, part.levels, whole.graphs, k, is_cut);
-        add(part.arrays, whole.coarser[k], k, is_cut);
+        const bool is_cut = k + 1 < whole.cut;
+        if constexpr (!assembled) add_level(part.arrays, part.levels, whole, k, is_cut);
+        add(part.arrays, whole.coarser[k], k, is_cut, whole.listed.levels[k + 1]);
       }
       if constexpr (has_patches) {
         for (std::size_t k = 0; k < coarser.size(); ++k) {
           add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
-                      k == 0 ? whole.patches : whole.coarser[k - 1].patches, k);
+                      k == 0 ? whole.patches : whole.coarser[k - 1].patches, k, whole.listed);
         }
       }
     };
-    finest = std::make_unique<Part>(ranks, table(), whole, cut, add_more);
+    finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
     finest->facts.all_prescribed = whole.facts.all_prescribed;
     for (std::size_t k = 0; k < coarser.size(); ++k) {
       Mesh& mesh = coarser[k];
       const MeshFacts& facts = whole.coarser[k].facts;
-      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body);
-      if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1]);
+      const ListedObjects nodes = whole.listed.levels[k + 1].nodes;
+      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
+      if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
       mesh.facts.rounding_force = facts.rounding_force;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
@@ -93,43 +91,51 @@ struct PartOfRank {
   }
   /// Level k + 1 of tangents that are not assembled, and the parents of level k.
   template <class Levels>
-  static void add_level(DistributedArrays& arrays, Levels& levels, const std::vector<LevelGraph>& graphs, std::size_t k,
+  static void add_level(DistributedArrays& arrays, Levels& levels, const WholeBody<Scene>& whole, std::size_t k,
                         bool is_cut) {
+    const ListedObjects own = whole.listed.levels[k].nodes, of_coarser = whole.listed.coarser[k].nodes;
     const std::string fine = k == 0 ? "node" : name_of_level(k) + ".node", coarse = name_of_level(k + 1) + ".node";
-    add_set(arrays, coarse, graphs[k + 1].nodes, is_cut, "");
+    add_set(arrays, coarse, of_coarser.size, is_cut, "");
     add_level_by_tets(arrays, in_brackets(k + 1), coarse, levels[k + 1]);
     arrays.add(name_of_level(k) + ".parents", fine, levels[k].parents.contents());
-    arrays.connect(levels[k].parents.contents(), "nodes", coarse,
-                   [&graph = graphs[k]](index_t node) { return graph.parents[at(node)]; });
+    arrays.connect(
+        levels[k].parents.contents(), "nodes", coarse,
+        [&graph = whole.graphs[k], own, before = static_cast<Index>(of_coarser.offset)](index_t node) {
+          const auto& [p, q] = graph.parents[at(own.here(node))];
+          return std::array{p + before, q + before};
+        },
+        own.known);
   }
   /// Mesh k + 1, which is cut, or which all ranks have.
-  void add(DistributedArrays& arrays, const WholeMesh& whole, std::size_t k, bool is_cut) {
+  void add(DistributedArrays& arrays, const WholeMesh& whole, std::size_t k, bool is_cut, const ListedLevel& listed) {
     const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
                       patch = "patch" + number;
     Mesh& mesh = coarser[k];
     const MeshSets sets{level + ".node", tet, tet, tet};
-    add_set(arrays, tet, whole.body.tets.size(), is_cut, sets.node);
-    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body);
-    if constexpr (assembled) add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body);
+    add_set(arrays, tet, listed.tets.size, is_cut, sets.node);
+    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed);
+    if constexpr (assembled) add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body, listed);
     if constexpr (has_patches) {
       if (whole.body.volumes.size() == 0) return;
-      add_set(arrays, patch, whole.body.volumes.size(), is_cut, sets.node);
-      add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches);
+      add_set(arrays, patch, listed.patches.size, is_cut, sets.node);
+      add_patches(arrays, number, sets, patch, mesh.body, mesh.patches, whole.patches, listed);
       if constexpr (assembled) {
-        add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches);
+        add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
       } else {
-        add_node_patches(arrays, number, sets.node, patch, mesh.patches, whole.patches);
+        add_node_patches(arrays, number, sets.node, patch, mesh.patches, whole.patches, listed);
       }
     }
   }
   /// Of the patches of mesh k, among those of the next coarser one.
   template <class Patches, class WholePatches>
-  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholePatches& whole, std::size_t k) {
+  static void add_parents(DistributedArrays& arrays, Patches& patches, const WholePatches& whole, std::size_t k,
+                          const ListedLevels& listed) {
     if (whole.parents.size() == 0) return;
     const std::string number = k == 0 ? "" : in_brackets(k);
     arrays.add("patches" + number + ".parents", "patch" + number, patches.parents.contents());
     arrays.connect(patches.parents.contents(), "patch", "patch" + in_brackets(k + 1),
-                   [view = whole.parents.const_view()](index_t p) { return std::array<Index, 1>{view[p].patch()}; });
+                   patch_of(whole.parents, listed.levels[k].patches, listed.coarser[k].patches),
+                   listed.levels[k].patches.known);
   }
 };
 

@@ -2,15 +2,15 @@
 #include <fem/solver/solvers/quasistatic_on_ranks.h>
 #include <fem/solver/solvers/quasistatic_on_ranks_cuda.h>
 
+#include <utility>
+
 namespace physgen::fem {
 
-std::unique_ptr<SolverOnRanks> make_cuda_quasistatic_on_ranks(const Ranks& ranks,
-                                                              const WholeBody<scenes::quasistatic>& whole,
+std::unique_ptr<SolverOnRanks> make_cuda_quasistatic_on_ranks(const Ranks& ranks, WholeBody<scenes::quasistatic> whole,
                                                               const SolverSettings& settings,
-                                                              std::optional<index_t> replicated,
                                                               const DistributedOptions& options) {
   using On = DistributedExecutor<CudaExecutor>;
-  return std::make_unique<QuasistaticOnRanks<On, scenes::quasistatic>>(ranks, whole, settings, replicated, options);
+  return std::make_unique<QuasistaticOnRanks<On, scenes::quasistatic>>(ranks, std::move(whole), settings, options);
 }
 
 }  // namespace physgen::fem

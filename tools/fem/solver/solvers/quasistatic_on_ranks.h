@@ -51,17 +51,15 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using typename PartOfRank::Mesh;
 
  public:
-  QuasistaticOnRanks(const Ranks& ranks, const WholeBody<Scene>& whole, const SolverSettings& settings,
-                     std::optional<index_t> replicated, const DistributedOptions& options)
-      : PartOfRank(ranks, whole, replicated, options),
+  QuasistaticOnRanks(const Ranks& ranks, WholeBody<Scene> whole, const SolverSettings& settings,
+                     const DistributedOptions& options)
+      : PartOfRank(ranks, whole, options),
         Nested(*PartOfRank::on, settings, Types::make_material(settings, whole.body.volumes.size() > 0),
-               1 + whole.coarser.size()) {
+               1 + whole.coarser.size()),
+        fixed_(std::move(whole.fixed)),
+        parents_(std::move(whole.parents)) {
     take(*finest);
     for (Mesh& mesh : coarser) take(mesh);
-    for (std::size_t l = 0; l < arrays_.size(); ++l) {
-      fixed_.push_back(whole.graphs[l].fixed);
-      parents_.push_back(whole.graphs[l].parents);
-    }
     for (std::size_t l = 0; l < finest->levels.size(); ++l) {
       linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
       if constexpr (Level::Choices::assembled) {
@@ -180,7 +178,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       store_loading(*this, fixed, moved, forces);
     }
   };
-  // Of all nodes of the meshes on which equilibrium is sought, as MeshLevel has them: loads are coarsened by these.
+  // As WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
   std::vector<std::vector<std::array<Index, 2>>> parents_;
 

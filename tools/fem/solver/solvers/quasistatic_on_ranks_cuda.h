@@ -7,15 +7,13 @@
 #include <physgen/distributed/ranks.h>
 
 #include <memory>
-#include <optional>
 
 namespace physgen::fem {
 
 /// As make_solver_on_ranks(), of the scene quasistatic.
 [[nodiscard]] std::unique_ptr<SolverOnRanks> make_cuda_quasistatic_on_ranks(const Ranks& ranks,
-                                                                            const WholeBody<scenes::quasistatic>& whole,
+                                                                            WholeBody<scenes::quasistatic> whole,
                                                                             const SolverSettings& settings,
-                                                                            std::optional<index_t> replicated,
                                                                             const DistributedOptions& options);
 
 }  // namespace physgen::fem

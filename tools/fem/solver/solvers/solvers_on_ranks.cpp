@@ -34,8 +34,8 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
     if (scene != "quasistatic")
       refuse("the scene " + scene + " on CUDA; choose the scene quasistatic, or the device cpu");
     if (settings.before_device) settings.before_device();
-    return make_cuda_quasistatic_on_ranks(ranks, WholeBody<scenes::quasistatic>(levels, loading, settings), settings,
-                                          replicated, options);
+    return make_cuda_quasistatic_on_ranks(
+        ranks, WholeBody<scenes::quasistatic>(ranks, levels, loading, settings, replicated), settings, options);
   }
 #endif
 #define PHYSGEN_ON_RANKS(scene, ...) &make_##scene##_on_ranks,

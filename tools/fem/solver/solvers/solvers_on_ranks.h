@@ -15,8 +15,8 @@ namespace physgen::fem {
 
 /// Equilibria of one of the scenes of make_scene_solver() by name; on CUDA of quasistatic, where each rank takes a
 /// device and sums are formed in a fixed order, so that they have the bits of one rank. bytes() are those of this rank.
-/// @param levels the same on all ranks, as loading and settings. While this makes its arrays, each rank has those of
-/// the whole mesh, too
+/// @param levels the same on all ranks, as loading and settings. Of a box a rank makes the lists of its part alone, and
+/// those of levels that are cut may be missing (cube_levels.h); of other meshes it has those of the whole for a while
 /// @param replicated as levels_that_are_cut() takes it
 /// @throw Error as make_scene_solver(); and for supports along axes of their own, for multigrid over one level that is
 /// inverted as a whole, which one process has, and where ranks would share a GPU

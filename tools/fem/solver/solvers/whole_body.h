@@ -1,15 +1,22 @@
-// A body on which several ranks find equilibrium, as the solver of one process has it on the host: each rank cuts its
-// part out of it.
+// A body on which several ranks find equilibrium, as the solver of one process has it on the host, or of a box the
+// layers that a rank needs: each rank cuts its part out of it.
 #pragma once
 
 #include <fem/mesh/stages.h>
 #include <fem/solver/arrays/host_points.h>
+#include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/levels/linear_level.h>
 #include <fem/solver/solvers/scene_types.h>
 #include <fem/solver/solvers/solver_program.h>
+#include <physgen/distributed/ranks.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,36 +56,96 @@ struct QuasistaticBody : QuasistaticMesh<Space, Scene> {
   std::vector<typename QuasistaticMesh<Space, Scene>::Types::Level::Own> levels;
 };
 
-/// All of it, without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
+/// Without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
 template <class Scene = scenes::quasistatic>
 struct WholeBody : QuasistaticBody<Host, Scene> {
   using Mesh = QuasistaticMesh<Host, Scene>;
   using Arrays = typename Mesh::Types::Arrays;
   static constexpr bool assembled = Mesh::Choices::assembled;
+  std::size_t cut;  ///< so many levels are cut, whether or not equilibrium is sought on them
   std::vector<LevelGraph> graphs;
+  ListedLevels listed;  ///< what graphs and arrays have
   std::vector<Mesh> coarser;
+  // Of all nodes of the meshes on which equilibrium is sought, as MeshLevel has them: loads are coarsened by these.
+  std::vector<std::vector<std::uint8_t>> fixed;
+  std::vector<std::vector<std::array<Index, 2>>> parents;  ///< of all but the coarsest of these
 
-  WholeBody(const std::vector<MeshLevel>& given, const Loading& loading, const SolverSettings& settings) {
+  /// @param replicated as levels_that_are_cut() takes it
+  WholeBody(const Ranks& ranks, const std::vector<MeshLevel>& given, const Loading& loading,
+            const SolverSettings& settings, std::optional<index_t> replicated) {
     const InStage stage("arrays of meshes");
     const auto [used, solved] = used_levels(settings, given.size(), given.size());
-    graphs = make_level_graphs(std::span(given).first(used), assembled);
+    std::vector<index_t> nodes;
+    for (const MeshLevel& level : given) nodes.push_back(level.is_grid() ? 0 : level.mesh.nodes);
+    cut = levels_cut_by_solver(nodes, settings, ranks.count(), replicated);
+    PartOfLevels part = part_of_levels(std::span(given).first(used), cut, ranks.rank(), ranks.count(), assembled);
+    graphs = std::move(part.graphs);
+    listed = std::move(part.listed);
     this->levels.resize(used);
     coarser.resize(solved - 1);
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     const auto no_chunk = std::make_shared<typename Mesh::Chunk>();
     for (std::size_t l = 0; l < solved; ++l) {
       const MeshLevel& level = given[l];
-      Arrays arrays(level, graphs[l], l + 1 < solved, assembled ? TangentLists::of_edges : TangentLists::of_nodes,
+      const bool is_part = l < part.levels.size();
+      const MeshLevel& here = is_part ? part.levels[l] : level;
+      Arrays arrays(here, graphs[l], l + 1 < solved, assembled ? TangentLists::of_edges : TangentLists::of_nodes,
                     no_chunk);
-      store_loading(arrays, level.fixed, motion, forces);
+      const auto here_of = [&, first = listed.of(l, graphs[l]).nodes.offset](const std::vector<Point>& of_nodes) {
+        if (of_nodes.empty()) return std::vector<Point>();
+        return std::vector<Point>(of_nodes.begin() + first, of_nodes.begin() + first + here.mesh.nodes);
+      };
+      store_loading(arrays, here.fixed, here_of(motion), here_of(forces));
       Mesh& mesh = l == 0 ? *this : coarser[l - 1];
-      mesh.facts.rounding_force = rounding_force(settings, level, motion, false, arrays.spacing);
-      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t fixed) { return fixed != 0; });
-      mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; });
+      mesh.facts.rounding_force = is_part ? rounding_force_of_box(settings, level, motion)
+                                          : rounding_force(settings, level, motion, false, arrays.spacing);
+      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t held) { return held != 0; });
+      mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t held) { return held == 7; });
       where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<decltype(mesh.patches)&>(over)); });
       mesh.body = std::move(static_cast<typename Arrays::Own&>(arrays));
-      if (l + 1 < solved) coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
+      if (is_part) part.levels[l] = {};
+      fixed.push_back(level.fixed);
+      if (l + 1 == solved) break;
+      parents.push_back(level.parents);
+      coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
     }
+  }
+  /// Keeps what arrays are filled with behind cut().
+  void release_lists() {
+    for (LevelGraph& graph : graphs) {
+      LevelGraph kept;
+      kept.nodes = graph.nodes;
+      kept.is_grid = graph.is_grid;
+      kept.fixed = std::move(graph.fixed);
+      kept.grid_parents = std::move(graph.grid_parents);
+      graph = std::move(kept);
+    }
+    release_lists_of(*this);
+    for (Mesh& mesh : coarser) release_lists_of(mesh);
+  }
+
+ private:
+  /// rounding_force() of a mesh of whose nodes each has tets, whether or not there are lists.
+  static double rounding_force_of_box(const SolverSettings& settings, const MeshLevel& level,
+                                      const std::vector<Point>& motion) {
+    double farthest = 0;
+    for (std::size_t n = 0; n < level.rest.size(); ++n) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
+      }
+    }
+    const double stiffness = node_stiffness(settings, false, mean_spacing(level.mesh, level.rest));
+    return rounding_force(stiffness, farthest, level.rest.size());
+  }
+  static void release_lists_of(Mesh& mesh) {
+    typename Arrays::Own kept;
+    kept.rest = std::move(mesh.body.rest);
+    kept.loads = std::move(mesh.body.loads);
+    kept.motion = std::move(mesh.body.motion);
+    kept.state = std::move(mesh.body.state);
+    kept.volumes = std::move(mesh.body.volumes);
+    mesh.body = std::move(kept);
+    mesh.patches = decltype(mesh.patches)();
   }
 };
 
