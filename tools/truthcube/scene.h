@@ -46,7 +46,7 @@ struct Scene {
 
 /// The cube of options.cells^3 cells, in levels.
 /// @param without_lists so many of the finest levels have tets alone (cube_levels.h)
-[[nodiscard]] std::vector<fem::MeshLevel> make_cube(const Options& options, std::size_t without_lists);
+[[nodiscard]] std::vector<fem::MeshLevel> make_cube(const Options& options, std::size_t without_lists = 0);
 
 /// Levels between plates at their lowest and highest nodes along z. A mesh of the user's that has many nodes gets a
 /// background grid for multigrid.
