@@ -161,7 +161,7 @@ TEST(PartOfLevels, without_edges_has_the_same_nodes_and_parents) {
       EXPECT_EQ(own.edges.size, 0);
       EXPECT_TRUE(part.graphs[l].edges.empty());
       for (const auto& [a, b] : {std::pair(own.nodes, wanted.nodes), std::pair(own.tets, wanted.tets),
-                                std::pair(own.patches, wanted.patches)}) {
+                                 std::pair(own.patches, wanted.patches)}) {
         EXPECT_EQ(a.size, b.size);
         EXPECT_EQ(a.offset, b.offset);
         EXPECT_EQ(a.known.first, b.known.first);
