@@ -12,11 +12,11 @@
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/levels/linear_level.h>
+#include <fem/solver/levels/made_entries.h>
 #include <physgen/distributed/arrays.h>
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -47,13 +47,12 @@ template <class Packing, class Before>
   }
   return [&list, offset = rows.offset, before](index_t number) {
     const std::size_t row = at(number - offset);
-    const auto begin = at(list.first[row]), end = at(list.first[row + 1]);
-    return std::span(list.entries).subspan(begin, end - begin) |
-           std::views::transform([before](const IncidenceEntry& entry) {
-             quasistatic::PackedIncidence<float> packed;
-             packed.code = (entry.element + before(entry.local)) << Packing::bits | entry.local;
-             return packed;
-           });
+    return MadeEntries(list.first[row], list.first[row + 1], [&list, before](index_t k) {
+      const IncidenceEntry& entry = list.entries[at(k)];
+      quasistatic::PackedIncidence<float> packed;
+      packed.code = (entry.element + before(entry.local)) << Packing::bits | entry.local;
+      return packed;
+    });
   };
 }
 

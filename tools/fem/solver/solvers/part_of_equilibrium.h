@@ -12,7 +12,6 @@
 
 #include <array>
 #include <functional>
-#include <ranges>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -31,12 +30,11 @@ template <class Ranges, class Entries, class Add>
                            const ListedObjects& elements, const Add& add) {
   return [=, ranges = ranges.const_view(), entries = entries.const_view()](index_t number) {
     const auto row = ranges[objects.here(number)];
-    const index_t begin = row.begin(), end = row.end();
-    return std::views::iota(begin, end) | std::views::transform([=](index_t k) {
-             auto entry = entries.get(k);
-             add(entry, static_cast<Index>(elements.offset));
-             return entry;
-           });
+    return MadeEntries(row.begin(), row.end(), [=](index_t k) {
+      auto entry = entries.get(k);
+      add(entry, static_cast<Index>(elements.offset));
+      return entry;
+    });
   };
 }
 /// The same where the rows of all are here.

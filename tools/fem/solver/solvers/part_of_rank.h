@@ -4,7 +4,6 @@
 #include <fem/solver/levels/level_halos.h>
 #include <fem/solver/solvers/part_of_equilibrium.h>
 #include <fem/solver/solvers/whole_body.h>
-#include <solved_halos.h>  // which CMake writes: the tables of the rows
 
 #include <array>
 #include <memory>
@@ -14,16 +13,9 @@
 
 namespace physgen::fem {
 
-/// The table of kernels of a scene in a row of PHYSGEN_EQUILIBRIUM_SCENES.
+/// The table of kernels of a scene. A file that makes its solver includes the table, and defines this.
 template <class Scene>
 [[nodiscard]] HaloUses halos_of();
-#define PHYSGEN_HALOS_OF(scene, ...)          \
-  template <>                                 \
-  inline HaloUses halos_of<scenes::scene>() { \
-    return scenes::scene##_scene::halos;      \
-  }
-PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_HALOS_OF)
-#undef PHYSGEN_HALOS_OF
 
 namespace detail {
 
