@@ -71,6 +71,11 @@ class ReadmeCase(unittest.TestCase):
                 for row in [*ours["linear"], *other["linear"]]:
                     row["solve_seconds"] *= 1.5 if row["method"] == "multigrid" else 1.7
             path.write_text(json.dumps(content))
+        solves = self.root / readme_numbers.RESULTS / "ranks" / "solves.json"
+        content = json.loads(solves.read_text())
+        for row in content["rows"]:
+            row["seconds"] *= 1.5
+        solves.write_text(json.dumps(content))
         links = self.root / readme_numbers.RESULTS / "ranks" / "links.json"
         content = json.loads(links.read_text())
         for row in content["rows"]:
