@@ -32,7 +32,10 @@ def run(program, ranks, body, folder):
 
 def row(ranks, cells, poisson, volume, records):
     steps = [record["steps"][-1] for record in records]
-    median = lambda of: round(statistics.median(of), 6)
+
+    def median(of):
+        return round(statistics.median(of), 6)
+
     sent = records[0].get("ranks")
     crossed = {"exchanges": sent["exchanges"], "gathers": sent["gathers"], "sent_bytes": sent["bytes"] + sent["gathered_bytes"]} if sent else {}
     return {"cells": int(cells), "poisson": float(poisson), "volume": volume, "ranks": ranks, "tets": records[0]["tets"], "runs": len(records),
@@ -49,15 +52,17 @@ def main():
     parser.add_argument("--runs", type=int, default=5, help="of each body and number of ranks")
     parser.add_argument("bodies", nargs="+", metavar="CELLS,POISSON,VOLUME")
     options = parser.parse_args()
-    rows, device = [], ""
+    rows = []
     for body in options.bodies:
+        if body.count(",") != 2:
+            sys.exit(f"ranks_runs.py: '{body}' is no body; write cells, Poisson's ratio and volumes, such as 64,0.49,patches")
         cells, poisson, volume = body.split(",")
         records = {1: [], options.ranks: []}
         with tempfile.TemporaryDirectory() as folder:
             for _ in range(options.runs):
                 for ranks, of_ranks in records.items():
                     of_ranks.append(run(options.program, ranks, ["--cells", cells, "--poisson", poisson, "--volume", volume], folder))
-        device = records[1][0]["device"]
+        device = f"{options.ranks} x {records[1][0]['device']}"
         for ranks, of_ranks in records.items():
             rows.append(row(ranks, cells, poisson, volume, of_ranks))
             print(json.dumps(rows[-1]), flush=True)
@@ -66,4 +71,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        sys.exit(f"ranks_runs.py: {error}")

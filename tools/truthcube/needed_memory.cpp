@@ -44,7 +44,7 @@ NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ra
       ranks_(ranks) {}
 
 void NeededMemory::require(const Options& options, const DeviceStart& device) const {
-  if (options.solver.device != fem::Device::cuda || ranks_ > 1) {  // ranks make the whole before they cut their parts
+  if (options.solver.device != fem::Device::cuda || ranks_ > 1) {  // ranks have much of the whole, on the host
     require_memory(who_, ranks_ * (bytes_.solver + bytes_.lists), "this machine", host_memory(), remedy_);
     return;
   }
