@@ -21,6 +21,11 @@ Traffic Traffic::operator-(const Traffic& other) const {
       gathered_bytes - other.gathered_bytes, overlapped - other.overlapped};
 }
 
+Traffic Traffic::operator*(index_t times) const {
+  return {times * exchanges, times * messages,       times * bytes,
+          times * gathers,   times * gathered_bytes, times * overlapped};
+}
+
 void Transport::begin(std::span<const Message> messages) {
   ++traffic_.exchanges;
   for (const Message& message : messages) {

@@ -117,9 +117,12 @@ inline std::vector<TetMesh> product_meshes(SpaceKind space = SpaceKind::host) {
     meshes.push_back(make_box_mesh(61, 62, 63));
     meshes.push_back(renumbered(meshes.back(), random_numbering(meshes.back(), 6)));
   }
-  std::vector<std::array<Index, 4>> fan;  // one node in all tets: more edges than a block stages
-  for (Index n = 1; n + 2 < 2000; ++n) fan.push_back({0, n, n + 1, n + 2});
-  meshes.push_back(make_tet_mesh(2000, fan));
+  // One node in all tets: more edges than are multiplied at a time, on CUDA to more nodes than shared memory has room
+  // for.
+  const Index nodes = space == SpaceKind::cuda ? 10000 : 2000;
+  std::vector<std::array<Index, 4>> fan;
+  for (Index n = 1; n + 2 < nodes; ++n) fan.push_back({0, n, n + 1, n + 2});
+  meshes.push_back(make_tet_mesh(nodes, fan));
   return meshes;
 }
 

@@ -135,24 +135,34 @@ struct Members {
 template <class... V>
 Members(V...) -> Members<V...>;
 
-/// Does what SumPulls would, with a loop of its own: for what is here.
+/// Does what a kernel would, with a loop of its own: for what is here.
 template <class Space, class Kernel>
-struct SumAtOnce {
+struct AtOnce {
   Kernel kernel;
-  index_t nodes;
+  index_t count;
   void operator()(Stream stream) const {
     if constexpr (std::is_same_v<Space, Host>) {
-      for (index_t i = nodes - 1; i >= 0; --i) kernel(i);
+      for (index_t i = count - 1; i >= 0; --i) kernel(i);
     } else {
-      parallel_for(Space{}, nodes, kernel, stream);
+      parallel_for(Space{}, count, kernel, stream);
     }
   }
 };
 template <class On, class Kernel>
 void sum_at_once(On& on, index_t nodes, const Kernel& kernel) {
-  const SumAtOnce<typename On::Space, Kernel> work{kernel, nodes};
+  const AtOnce<typename On::Space, Kernel> work{kernel, nodes};
   if constexpr (requires { on.perform(work, kernel, nodes); }) {
     on.perform(work, kernel, nodes);
+  } else {
+    on.perform(work);
+  }
+}
+/// With what all ranks have.
+template <class On, class Kernel>
+void do_on_each(On& on, index_t count, const Kernel& kernel) {
+  const AtOnce<typename On::Space, Kernel> work{kernel, count};
+  if constexpr (requires { on.perform_on_each(work, kernel); }) {
+    on.perform_on_each(work, kernel);
   } else {
     on.perform(work);
   }

@@ -4,7 +4,9 @@
 #include <physgen/error.h>
 #include <physgen/fill_rows.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace physgen::fem {
 
@@ -32,17 +34,34 @@ void check_edges(Index nodes, std::span<const std::array<Index, 2>> edges, index
 }  // namespace
 
 EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes,
-                   SumOrder order, index_t first_edge)
+                   SumOrder order, index_t first_edge, std::span<const Index> groups)
     : nodes_(nodes), edges_(static_cast<index_t>(edges.size())), space_(space), real_bytes_(real_bytes), order_(order) {
   check_edges(nodes, edges, first_edge);
-  if (order == SumOrder::any && space == SpaceKind::cuda) return;  // atomics go by no lists
-  const index_t count = 2 * (nodes_ + 1) + edges_, bytes = count * index_t{sizeof(Index)};
-  indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
-  contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
-  HostList<Index> elsewhere(space == SpaceKind::host ? 0 : at(count));
-  Index* const first = space == SpaceKind::host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
-  Index* const place = first + 2 * (nodes_ + 1);
+  const bool is_on_host = space == SpaceKind::host;
+  if (order == SumOrder::any && !is_on_host) return;  // atomics go by no lists
+  const auto contributions = [&](index_t count, const char* of) {
+    return Buffer(space, 4 * count * real_bytes, of + std::to_string(edges_) + " edges");
+  };
+  HostList<Index> elsewhere(is_on_host ? 0 : at(nodes_ + 1));
+  if (is_on_host) {
+    indices_ = Buffer(space, (2 * (nodes_ + 1) + edges_) * index_t{sizeof(Index)},
+                      "lists of " + std::to_string(edges_) + " edges");
+    contributions_ = contributions(edges_, "contributions of ");
+  }
+  Index* const first = is_on_host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
+  physgen::detail::for_each_index(first_edge, edges_ + 1, [=](index_t e) {
+    const Index from = e == first_edge ? 0 : edges[at(e - 1)][0] + 1;
+    const Index to = at(e) == edges.size() ? nodes : edges[at(e)][0];
+    for (Index n = from; n <= to; ++n) first[n] = static_cast<Index>(e);
+  });
+  if (!is_on_host) {
+    const auto own = groups.empty() ? groups_of_part(0, nodes, nodes, std::identity()) : std::vector<Index>();
+    groups_ = EdgeGroups(elsewhere, edges, groups.empty() ? own : groups, space);
+    contributions_ = contributions(groups_.sums(), "sums of groups of ");
+    return;
+  }
   // Edges ascend, so those of a first node lie side by side; those of a second node are its contributions, ascending.
+  Index* const place = first + 2 * (nodes_ + 1);
   HostList<Index> begin, by_second;
   fill_rows(
       Host{}, nodes_, edges_,
@@ -50,22 +69,15 @@ EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, Spa
         if (e >= first_edge) put(edges[at(e)][1], static_cast<Index>(e));
       },
       begin, by_second);
-  physgen::detail::for_each_index(first_edge, edges_ + 1, [=](index_t e) {
-    const Index from = e == first_edge ? 0 : edges[at(e - 1)][0] + 1;
-    const Index to = at(e) == edges.size() ? nodes : edges[at(e)][0];
-    for (Index n = from; n <= to; ++n) first[n] = static_cast<Index>(e);
-  });
   physgen::detail::for_each_index(0, nodes_ + 1, [&](index_t n) { first[nodes_ + 1 + n] = begin[at(n)]; });
   physgen::detail::for_each_index(0, edges_ - first_edge,
                                   [&](index_t k) { place[by_second[at(k)]] = static_cast<Index>(k); });
-  if (space == SpaceKind::host) return;
-  copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(elsewhere.data()), SpaceKind::host, bytes);
 }
 
 void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const {
   if (order == SumOrder::fixed && order_ == SumOrder::any && space == SpaceKind::cuda) {
     throw Error(
-        "a product in SumOrder::fixed was given sums made for SumOrder::any, which have no room for contributions");
+        "a product in SumOrder::fixed was given sums made for SumOrder::any, which have no room for those of groups");
   }
   if (nodes == nodes_ && edges == edges_ && space == space_ && real_bytes == real_bytes_) return;
   const auto describe = [](index_t n, index_t e, SpaceKind s, int bytes) {

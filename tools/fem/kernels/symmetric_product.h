@@ -6,6 +6,7 @@
 #undef I
 
 #include <elasticity.physgen.h>
+#include <fem/kernels/edge_groups.h>
 #include <fem/mesh/mesh.h>
 #include <fem/numerics/scalar.h>
 #include <physgen/kernels/pack.h>
@@ -17,7 +18,8 @@ namespace physgen::fem {
 /// A way to form sums over edges where edges in different places meet at a node.
 enum class SumOrder {
   any,    ///< the fastest: on CUDA vector atomics, whose order differs from run to run
-  fixed,  ///< the same bits on every run: contributions are stored, then added in the order of the edges
+  fixed,  ///< the same bits on every run: on the CPU contributions are stored, then added in the order of the edges; on
+          ///< CUDA sums of the edges of groups of nodes are (edge_groups.h)
 };
 
 /// The term that an edge adds to a node: a whole number of 16-byte words, so that it is read and written at once.
@@ -45,28 +47,31 @@ class EdgeSums {
       : EdgeSums(mesh.nodes, mesh.edges, space, real_bytes, order) {}
   /// The same of nodes and edges alone.
   /// @param first_edge edges below it stand for none, as those of a rank's part may: they play no part
+  /// @param groups of nodes, as groups_of_part() makes them, where this is a part of a mesh; only CUDA goes by them
   EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes, SumOrder order,
-           index_t first_edge = 0);
+           index_t first_edge = 0, std::span<const Index> groups = {});
 
   /// @throw Error when a product of these sizes, in this space, precision and order, was not what this was made for
   void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const;
 
   [[nodiscard]] index_t nodes() const { return nodes_; }
   [[nodiscard]] index_t edges() const { return edges_; }
-  [[nodiscard]] index_t bytes() const { return indices_.bytes() + contributions_.bytes(); }
+  [[nodiscard]] index_t bytes() const { return indices_.bytes() + groups_.bytes() + contributions_.bytes(); }
   /// The future bytes() of products on the host, or on CUDA in SumOrder::any.
   template <class Real>
   [[nodiscard]] static index_t bytes_for(index_t nodes, index_t edges, SpaceKind space) {
     if (space != SpaceKind::host) return 0;
     return (2 * (nodes + 1) + edges) * index_t{sizeof(Index)} + edges * index_t{sizeof(Contribution<Real>)};
   }
-  /// Per node: the first of its edges as m (and one past the last node).
+  /// By which products on CUDA go in SumOrder::fixed.
+  [[nodiscard]] const EdgeGroups& groups() const { return groups_; }
+  /// By which those on the host go. Per node: the first of its edges as m (and one past the last node).
   [[nodiscard]] const Index* first() const { return indices(0); }
   /// Per node: where the contributions of its edges as n begin (and one past the last node).
   [[nodiscard]] const Index* contributions_begin() const { return indices(nodes_ + 1); }
   /// Per edge: the place of its contribution to n.
   [[nodiscard]] const Index* place() const { return indices(2 * (nodes_ + 1)); }
-  /// Room for the contributions of all edges.
+  /// Room for the contributions of all edges, or the sums of all groups.
   template <class Real>
   [[nodiscard]] Contribution<Real>* contributions() const {
     return reinterpret_cast<Contribution<Real>*>(contributions_.data());
@@ -82,6 +87,7 @@ class EdgeSums {
   int real_bytes_ = 0;
   SumOrder order_ = SumOrder::fixed;
   Buffer indices_, contributions_;
+  EdgeGroups groups_;
 };
 
 /// The arrays of a product in one space; views of any layout and format.

@@ -53,47 +53,128 @@ __global__ void add_edge_products(const Product product, index_t edges) {
   if (i < edges && (lane == 0 || before != m)) add(i, product.differentials[m].df(), sum);
 }
 
-constexpr int nodes_per_block = 32;
-constexpr int threads_per_block = 128;
-constexpr int staged_edges = 256;
+/// What the edges of a group give to its slots, in the order of the edges.
+/// @tparam kHoldsAll whether all are in shared memory; else those of outer nodes are in the places of their sums
+template <bool kHoldsAll, class S>
+struct SlotSums {
+  S* shared;  ///< [3][room]
+  int room, own;
+  const Index* place;  ///< of the group's outer nodes
+  Contribution<S>* contributions;
 
-/// A block takes some nodes and all their edges as m: contributions to these pass through shared memory and are added
-/// in order, those to other nodes are stored.
-template <bool kAdds, class Product>
-__global__ void __launch_bounds__(threads_per_block)
-    sum_own_edges(const Product product, index_t nodes, const Index* first, const Index* place,
-                  Contribution<typename Product::Scalar>* contributions) {
-  using S = typename Product::Scalar;
-  __shared__ S own[3][staged_edges];
-  const index_t node_begin = blockIdx.x * index_t{nodes_per_block};
-  const index_t node_end = node_begin + nodes_per_block < nodes ? node_begin + nodes_per_block : nodes;
-  const index_t node = node_begin + threadIdx.x;
-  const bool has_node = threadIdx.x < nodes_per_block && node < node_end;
-  const Index begin = first[node_begin], end = first[node_end];
-  Vector3<S> sum = Vector3<S>::Zero();
-  if (has_node) {
-    if constexpr (kAdds) {
-      sum = product.differentials[node].df();
+  [[nodiscard]] __device__ bool is_shared(int slot) const { return kHoldsAll || slot < own; }
+  [[nodiscard]] __device__ Vector3<S> get(int slot) const {
+    if (is_shared(slot)) return {shared[slot], shared[room + slot], shared[2 * room + slot]};
+    return contributions[place[slot - own]].value();
+  }
+  __device__ void set(int slot, const Vector3<S>& sum) const {
+    if (is_shared(slot)) {
+      for (int k = 0; k < 3; ++k) shared[k * room + slot] = sum[k];
     } else {
-      sum = node_contribution(product, node);
+      contributions[place[slot - own]] = Contribution<S>(sum);
     }
   }
-  for (Index stage = begin; stage < end; stage += staged_edges) {
-    const Index stage_end = stage + staged_edges < end ? stage + staged_edges : end;
-    for (Index e = stage + static_cast<Index>(threadIdx.x); e < stage_end; e += threads_per_block) {
-      const EdgeContributions<S> contribution = edge_contributions(product, index_t{e});
-      for (int k = 0; k < 3; ++k) own[k][e - stage] = contribution.to_m[k];
-      contributions[place[e]] = Contribution<S>(contribution.to_n);
+};
+
+constexpr int group_threads = EdgeGroups::stage_edges;
+constexpr int nodes_of_thread = EdgeGroups::most_nodes / group_threads;
+
+/// A thread block takes a group, its edges by stages: a thread multiplies an edge, and behind a barrier adds those
+/// terms of the stage that one slot gets, and those that its own nodes get as m. Sums for outer nodes are stored.
+template <bool kAdds, bool kHoldsAll, class Product>
+__global__ void __launch_bounds__(group_threads)
+    sum_groups(const Product product, const EdgeGroups::View groups, int room,
+               Contribution<typename Product::Scalar>* contributions) {
+  using S = typename Product::Scalar;
+  extern __shared__ unsigned char memory[];
+  __shared__ S to_m[2][3][group_threads], to_n[2][3][group_threads];
+  __shared__ int slot_of[2][group_threads];
+  const auto t = static_cast<int>(threadIdx.x);
+  const Index* const first_node = groups.first_node + blockIdx.x;
+  const Index* const first_outer = groups.first_outer + blockIdx.x;
+  const int own = first_node[1] - first_node[0], slots = own + first_outer[1] - first_outer[0];
+  const SlotSums<kHoldsAll, S> sums{reinterpret_cast<S*>(memory), room, own, groups.place + first_outer[0],
+                                    contributions};
+  for (int slot = t; slot < slots; slot += group_threads) sums.set(slot, Vector3<S>::Zero());
+  Vector3<S> sum[nodes_of_thread];
+  Index from[nodes_of_thread], to[nodes_of_thread];
+#pragma unroll
+  for (int k = 0; k < nodes_of_thread; ++k) {
+    from[k] = to[k] = 0;
+    if (t + k * group_threads >= own) continue;
+    const index_t node = first_node[0] + t + k * group_threads;
+    from[k] = groups.first_edge[node];
+    to[k] = groups.first_edge[node + 1];
+    if constexpr (kAdds) {
+      sum[k] = product.differentials[node].df();
+    } else {
+      sum[k] = node_contribution(product, node);
     }
-    __syncthreads();
-    if (has_node) {
-      const Index from = first[node] > stage ? first[node] : stage;
-      const Index to = first[node + 1] < stage_end ? first[node + 1] : stage_end;
-      for (Index e = from; e < to; ++e) sum += Vector3<S>(own[0][e - stage], own[1][e - stage], own[2][e - stage]);
-    }
-    __syncthreads();
   }
-  if (has_node) product.differentials[node].df() = sum;
+  const Index end = groups.first_edge[first_node[1]];
+  int buffer = 0;  // of two: threads fill one while others still add up the terms of the other
+  for (Index stage = groups.first_edge[first_node[0]]; stage < end; stage += group_threads, buffer ^= 1) {
+    const int edges = end - stage < group_threads ? end - stage : group_threads;
+    if (t < edges) {
+      const EdgeContributions<S> terms = edge_contributions(product, index_t{stage + t});
+      const std::uint32_t slot_rank = groups.slot_rank[stage + t];
+      const auto rank = static_cast<int>(slot_rank % group_threads);
+      slot_of[buffer][t] = static_cast<int>(slot_rank >> EdgeGroups::View::rank_bits);
+#pragma unroll
+      for (int k = 0; k < 3; ++k) {
+        to_m[buffer][k][t] = terms.to_m[k];
+        to_n[buffer][k][rank] = terms.to_n[k];
+      }
+    }
+    __syncthreads();
+#pragma unroll
+    for (int k = 0; k < nodes_of_thread; ++k) {
+      const int first = from[k] > stage ? from[k] - stage : 0, last = to[k] - stage < edges ? to[k] - stage : edges;
+      for (int e = first; e < last; ++e) {
+        sum[k] += Vector3<S>(to_m[buffer][0][e], to_m[buffer][1][e], to_m[buffer][2][e]);
+      }
+    }
+    if (t < edges && (t == 0 || slot_of[buffer][t - 1] != slot_of[buffer][t])) {
+      const int slot = slot_of[buffer][t];
+      Vector3<S> of_slot = sums.get(slot);
+      for (int e = t; e < edges && slot_of[buffer][e] == slot; ++e) {
+        of_slot += Vector3<S>(to_n[buffer][0][e], to_n[buffer][1][e], to_n[buffer][2][e]);
+      }
+      sums.set(slot, of_slot);
+    }
+  }
+  __syncthreads();
+#pragma unroll
+  for (int k = 0; k < nodes_of_thread; ++k) {
+    const int slot = t + k * group_threads;
+    if (slot < own) product.differentials[index_t{first_node[0] + slot}].df() = Vector3<S>(sum[k] + sums.get(slot));
+  }
+  if constexpr (kHoldsAll) {
+    for (int slot = own + t; slot < slots; slot += group_threads) {
+      contributions[sums.place[slot - own]] = Contribution<S>(sums.get(slot));
+    }
+  }
+}
+
+/// Starts sum_groups() in `stream`.
+template <bool kAdds, class Product>
+void start_groups(const Product& product, const EdgeSums& sums, Stream stream) {
+  using Scalar = typename Product::Scalar;
+  constexpr int slot_bytes = 3 * sizeof(Scalar), most_bytes = 96 * 1024;
+  const EdgeGroups::View groups = sums.groups().view();
+  const auto start = [&](auto* kernel, int room) {
+    const int bytes = room * slot_bytes;
+    cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
+                "asking for shared memory");
+    kernel<<<static_cast<unsigned>(groups.groups), group_threads, static_cast<std::size_t>(bytes), stream>>>(
+        product, groups, room, sums.contributions<Scalar>());
+    cuda::check(cudaGetLastError(), "launching the groups of a symmetric product");
+  };
+  if (groups.most_slots <= most_bytes / slot_bytes) {
+    start(sum_groups<kAdds, true, Product>, groups.most_slots);
+  } else {
+    start(sum_groups<kAdds, false, Product>, EdgeGroups::most_nodes);
+  }
 }
 
 template <class Product>
@@ -124,17 +205,16 @@ void sum_edges(Cuda space, const SymmetricProduct<Views...>& product, const Edge
     cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
     return;
   }
-  sum_own_edges<kAdds><<<blocks(sums.nodes(), nodes_per_block), threads_per_block, 0, stream>>>(
-      product, sums.nodes(), sums.first(), sums.place(), sums.contributions<Scalar>());
-  cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
-  parallel_for(space, sums.nodes(),
-               AddContributions<Product>{product, sums.contributions_begin(), sums.contributions<Scalar>()}, stream);
+  const EdgeGroups::View groups = sums.groups().view();
+  if (groups.groups > 0) start_groups<kAdds>(product, sums, stream);
+  parallel_for(space, sums.nodes(), AddContributions<Product>{product, groups.first_sum, sums.contributions<Scalar>()},
+               stream);
 }
 
 }  // namespace detail
 
 /// df = K dx, ordered in `stream`; does not wait. SumOrder::any adds with atomics, in an order that differs from run to
-/// run; SumOrder::fixed stores the contributions and gives the same bits on every run.
+/// run; SumOrder::fixed stores sums of groups of nodes and gives the same bits on every run.
 /// @pre the differentials' elements are stored as computed
 /// @throw Error when arrays of the product differ in size, `sums` was made for other sizes, or not for CUDA memory and
 /// this precision, or a launch fails

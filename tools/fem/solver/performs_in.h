@@ -26,6 +26,21 @@ void perform_in_place_of(On& on, index_t n, const Kernel& kernel, const Work& wo
 template <class On>
 concept OnRanks = requires(On& on, void (*work)(Stream), int kernel) { on.perform(work, kernel, index_t{}); };
 
+namespace detail {
+
+/// on.perform(work) with arrays that each of several ranks has whole.
+/// @param views of arrays that the work uses, in an aggregate, by which an executor of several ranks knows that
+template <class On, class Work, class Views>
+void perform_here(On& on, const Work& work, const Views& views) {
+  if constexpr (OnRanks<On>) {
+    on.perform_on_each(work, views);
+  } else {
+    on.perform(work);
+  }
+}
+
+}  // namespace detail
+
 /// Such an executor that only counts.
 template <class On>
 concept OnlyCounts = requires { On::only_counts; };

@@ -1,5 +1,5 @@
 // Kernels that sum long rows of terms for each of their objects. Such a kernel forms a part of a sum, and puts away the
-// whole: one thread takes both, or on CUDA some lanes of a warp a part each (small_levels_cuda.h), so that they do not
+// whole: one thread takes both, or on CUDA some lanes of a warp a part each (row_sums_cuda.h), so that they do not
 // wait for one load after the other.
 #pragma once
 

@@ -23,6 +23,11 @@ __global__ void begin_rounds(Count* rounds_left, Count most) {
   *rounds_left = most;
 }
 
+template <class Count>
+__global__ void add_rounds(const Count* rounds_left, Count most, Count* sum) {
+  *sum += most - *rounds_left;
+}
+
 template <class Done>
 __global__ void decide_to_go_on(cudaGraphConditionalHandle go_on, Done done, int* rounds_left) {
   const int left = *rounds_left - 1;
@@ -54,6 +59,7 @@ class CudaExecutor {
     ~Loop() {
       if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
     }
+    [[nodiscard]] bool is_recorded() const { return graph_ != nullptr; }
 
    private:
     friend class CudaExecutor;
@@ -108,45 +114,14 @@ class CudaExecutor {
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {
     if (most <= 0) return;
     if (loops_on_host_) return repeat_on_host(most, body, done);
-    if (loop.graph_ == nullptr) record(loop, body, done);
+    if (!loop.is_recorded()) record(loop, body, done);
     cuda::begin_rounds<<<1, 1, 0, stream_>>>(rounds_left(), most);
     cuda::check(cudaGetLastError(), "beginning a loop");
     cuda::check(cudaGraphLaunch(loop.graph_, stream_), "launching a loop");
   }
 
-  /// @throw Error when something that was given to the device has failed
-  void wait() { cuda::check(cudaStreamSynchronize(stream_), "waiting for the device"); }
-
-  template <class Object, class Real, class Layout, class Formats>
-  [[nodiscard]] auto value(const Array<Object, Real, Cuda, Layout, Formats>& array) {
-    using OnDevice = Array<Object, Real, Cuda, Layout, Formats>;
-    constexpr index_t bytes = Layout::padded(1) * OnDevice::record_bytes;
-    static_assert(bytes <= most_object_bytes,
-                  "value() reads an object of 4096 bytes at most with its padding; copy the array to the host instead");
-    if (array.size() != 1) {
-      throw Error(std::string(Object::name) + ": value() is of an array of one object; this one has " +
-                  std::to_string(array.size()));
-    }
-    cuda::check(cudaMemcpyAsync(object_.data(), array.untyped().base, bytes, cudaMemcpyDeviceToHost, stream_),
-                "reading an object");
-    wait();
-    const View<Object, const Real, Layout, Formats, PinnedHost> view(object_.data(), 1, Layout::pitch(1));
-    return view.get(index_t{0});
-  }
-
- private:
-  template <class Body, class Done>
-  void repeat_on_host(int most, const Body& body, const Done& done) {
-    for (int k = 0; k < most; ++k) {
-      body();
-      int* is_done = reinterpret_cast<int*>(object_.data());
-      cuda::tell_whether_done<<<1, 1, 0, stream_>>>(done, is_done);
-      cuda::check(cudaGetLastError(), "asking whether a loop is done");
-      wait();
-      if (*is_done != 0) return;
-    }
-  }
-
+  /// What the first repeat() of a loop does before its rounds: records them, and runs nothing.
+  /// @throw Error when the steps cannot be recorded; the loop is none then
   template <class Body, class Done>
   void record(Loop& loop, const Body& body, const Done& done) {
     struct Graph {
@@ -185,6 +160,45 @@ class CudaExecutor {
     cudaGraph_t captured = nullptr;
     cuda::check(cudaStreamEndCapture(stream_, &captured), "recording a loop");
     cuda::check(cudaGraphInstantiate(&loop.graph_, outer.graph, 0), "recording a loop");
+  }
+
+  /// Adds to `sum`, in pinned or device memory, how many rounds the last repeat() had, of `most`.
+  void add_rounds(int most, int* sum) {
+    cuda::add_rounds<<<1, 1, 0, stream_>>>(rounds_left(), most, sum);
+    cuda::check(cudaGetLastError(), "counting the rounds of a loop");
+  }
+
+  /// @throw Error when something that was given to the device has failed
+  void wait() { cuda::check(cudaStreamSynchronize(stream_), "waiting for the device"); }
+
+  template <class Object, class Real, class Layout, class Formats>
+  [[nodiscard]] auto value(const Array<Object, Real, Cuda, Layout, Formats>& array) {
+    using OnDevice = Array<Object, Real, Cuda, Layout, Formats>;
+    constexpr index_t bytes = Layout::padded(1) * OnDevice::record_bytes;
+    static_assert(bytes <= most_object_bytes,
+                  "value() reads an object of 4096 bytes at most with its padding; copy the array to the host instead");
+    if (array.size() != 1) {
+      throw Error(std::string(Object::name) + ": value() is of an array of one object; this one has " +
+                  std::to_string(array.size()));
+    }
+    cuda::check(cudaMemcpyAsync(object_.data(), array.untyped().base, bytes, cudaMemcpyDeviceToHost, stream_),
+                "reading an object");
+    wait();
+    const View<Object, const Real, Layout, Formats, PinnedHost> view(object_.data(), 1, Layout::pitch(1));
+    return view.get(index_t{0});
+  }
+
+ private:
+  template <class Body, class Done>
+  void repeat_on_host(int most, const Body& body, const Done& done) {
+    for (int k = 0; k < most; ++k) {
+      body();
+      int* is_done = reinterpret_cast<int*>(object_.data());
+      cuda::tell_whether_done<<<1, 1, 0, stream_>>>(done, is_done);
+      cuda::check(cudaGetLastError(), "asking whether a loop is done");
+      wait();
+      if (*is_done != 0) return;
+    }
   }
 
   [[nodiscard]] int* rounds_left() { return reinterpret_cast<int*>(rounds_.data()); }

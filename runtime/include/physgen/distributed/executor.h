@@ -105,6 +105,14 @@ class DistributedExecutor<On> {
     });
   }
 
+  /// The same, of what all ranks have, by each of them: nothing crosses, and it need not be a step over a set.
+  /// @throw Error when one of the kernel's views is of an array of which ranks have parts
+  template <class Work, class Kernel>
+  void perform_on_each(const Work& work, const Kernel& kernel) {
+    if (ranks_.count() > 1) ranks_.guard([&] { detail::require_replicated(steps_, kernel); });
+    on_.perform(work);
+  }
+
   /// @param done a function object of what all ranks have
   template <class Body, class Done>
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {

@@ -30,6 +30,7 @@ struct Traffic {
 
   Traffic& operator+=(const Traffic& other);
   [[nodiscard]] Traffic operator-(const Traffic& other) const;
+  [[nodiscard]] Traffic operator*(index_t times) const;
 };
 
 /// All ranks call the same functions in the same order.
@@ -60,7 +61,7 @@ class Transport {
   [[nodiscard]] const Traffic& traffic() const { return traffic_; }
   /// Kernels were called between begin() and end().
   void count_overlap() { ++traffic_.overlapped; }
-  /// As much has crossed, by steps that were recorded (distributed/cuda/recorded_round.h).
+  /// As much has crossed, by steps that were recorded (distributed/cuda/recorded_loops.h).
   void count(const Traffic& recorded) { traffic_ += recorded; }
   /// Whether begin(), end() and gather() only order work in a stream, which can be captured in a graph.
   [[nodiscard]] virtual bool can_be_captured() const { return false; }

@@ -4,8 +4,7 @@
 #include <physgen/memory/buffer.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <cstdlib>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -127,25 +126,15 @@ class NcclTransport final : public Transport {
   Event packed_, arrived_;
 };
 
-/// The first of all ranks' reasons; empty where none has one.
-std::string reason_of_all(const std::string& mine, Transport& host) {
-  std::array<char, 512> text{};
-  std::strncpy(text.data(), mine.c_str(), text.size() - 1);
-  std::vector<std::array<char, 512>> all(static_cast<std::size_t>(host.count()));
-  const std::vector<index_t> sizes(all.size(), index_t{sizeof text});
-  host.gather(std::as_bytes(std::span(text)), sizes, std::as_writable_bytes(std::span(all)));
-  for (std::size_t r = 0; r < all.size(); ++r) {
-    if (all[r][0] != '\0') return "rank " + std::to_string(r) + ": " + all[r].data();
-  }
-  return "";
-}
-
 }  // namespace
 
 std::unique_ptr<Transport> make_nccl_transport(Transport& host, Stream stream, std::string& why_not) {
   why_not = reason_of_all(find_nccl().why_not, host);
   if (!why_not.empty()) return nullptr;
 
+  // Of one program that orders all of it in one stream. Otherwise NCCL adds nodes to graphs that the body of a loop, on
+  // whose rounds the device decides, cannot have.
+  setenv("NCCL_GRAPH_MIXING_SUPPORT", "0", 0);
   ncclUniqueId id{};
   std::string mine;
   const auto note = [&](ncclResult_t status, const char* what) {

@@ -20,6 +20,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace physgen::fem {
@@ -28,6 +29,14 @@ namespace detail {
 
 [[nodiscard]] inline std::string level_name(std::size_t l, const char* name) {
   return "level[" + std::to_string(l) + "]." + name;
+}
+
+/// Whether products of level l go by rows of edges, as those of LevelOver do: of few nodes, which all ranks have. That
+/// does not depend on how many ranks there are, since no level is cut that is so small, or it is by any number of them.
+template <class Level>
+[[nodiscard]] bool has_rows(std::size_t l, std::size_t cut, const LevelGraph& graph) {
+  using Edges = std::remove_cvref_t<decltype(contents_of(std::declval<Level&>().scaled_edges))>;
+  return l >= cut && Edges::Space::kind == SpaceKind::cuda && graph.nodes <= EdgeRows::most_nodes;
 }
 
 /// A row of a list, packed, by numbers of all. @param rows whose list it is
@@ -122,6 +131,7 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
     auto& level = *levels[l];
     const LevelGraph& graph = graphs[l];
     const std::string node = detail::level_name(l, "node"), edge = detail::level_name(l, "edge");
+    const ListedLevel own = listed.of(l, graph);
     const auto add = [&](const char* name, const std::string& set, auto& array) {
       arrays.add(detail::level_name(l, name), set, contents_of(array));
     };
@@ -132,13 +142,14 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
     add("edge_stiffness", edge, level.edge_stiffness);
     add("scales", node, level.scales);
     add("scaled_nodes", node, level.scaled_nodes);
-    add("scaled_edges", edge, level.scaled_edges);
+    const bool is_by_rows = detail::has_rows<std::remove_cvref_t<decltype(level)>>(l, cut, graph);
+    if (is_by_rows) arrays.add_replicated_set(detail::level_name(l, "edge_end"), 2 * own.edges.size);
+    add("scaled_edges", is_by_rows ? detail::level_name(l, "edge_end") : edge, level.scaled_edges);
     add("inverse", node, level.inverse);
     add("residual", node, level.residual);
     add("correction", node, level.correction);
     add("direction", node, level.direction);
     add("power", node, level.power);
-    const ListedLevel own = listed.of(l, graph);
     arrays.connect(
         contents_of(level.edges), "nodes", node,
         [&graph, of = own.edges, before = static_cast<Index>(own.nodes.offset)](index_t e) {
@@ -166,6 +177,39 @@ void add_levels(DistributedArrays& arrays, const Levels& levels, std::span<const
       add("coarse_inverse", detail::level_name(l, "coarse_pair"), level.coarse_inverse);
     }
   }
+}
+
+/// The rows by which products of small levels go, of each level; none of others. Behind cut(), when graphs may have no
+/// lists any more. @param cut as add_levels() takes it
+template <class Levels>
+[[nodiscard]] std::vector<EdgeRows> rows_of_levels(const Levels& levels, std::span<const LevelGraph> graphs,
+                                                   std::size_t cut) {
+  using Level = std::remove_cvref_t<decltype(*levels[0])>;
+  const auto on_host = [](const auto& array, const auto& use) {
+    using Array = std::remove_cvref_t<decltype(array)>;
+    const auto& here = physgen::detail::in_form_of<physgen::detail::OnHost<Array>>(array);
+    const auto view = here.const_view();
+    for (index_t i = 0; i < view.size(); ++i) use(view[i]);
+  };
+  std::vector<EdgeRows> rows(graphs.size());
+  for (std::size_t l = 0; l < graphs.size(); ++l) {
+    if (!detail::has_rows<Level>(l, cut, graphs[l])) continue;
+    const Level& level = *levels[l];
+    TetMesh mesh;
+    mesh.nodes = static_cast<Index>(level.constraints.size());
+    on_host(contents_of(level.edges), [&](const auto& edge) {
+      mesh.edges.push_back({static_cast<Index>(edge.nodes()[0]), static_cast<Index>(edge.nodes()[1])});
+    });
+    on_host(contents_of(level.node_edge_ranges),
+            [&](const auto& row) { mesh.node_edges.first.push_back(static_cast<Index>(row.begin())); });
+    on_host(contents_of(level.node_edge_entries), [&](const auto& entry) {
+      mesh.node_edges.entries.push_back(
+          {static_cast<Index>(NodeEdgeEntry::element(entry)), static_cast<Index>(NodeEdgeEntry::local(entry))});
+    });
+    mesh.node_edges.first.push_back(static_cast<Index>(mesh.node_edges.entries.size()));
+    rows[l] = EdgeRows(mesh, SpaceKind::cuda);
+  }
+  return rows;
 }
 
 /// Fills in constraints, and weights in a background grid. Behind cut(). @return the lists that products of each level
@@ -204,8 +248,11 @@ template <class Levels>
     }
     const bool has_edges = edges.first() < edges.last();
     using Real = typename std::remove_cvref_t<decltype(level.edge_stiffness)>::Precision;
+    const LocalSet& here = arrays.objects_of(contents_of(level.constraints));
+    const std::vector<Index> groups =
+        groups_of_part(here.first(), here.last(), here.runs().size(), [&](index_t node) { return here.global(node); });
     sums.emplace_back(static_cast<Index>(level.constraints.size()), ends, Edges::Space::kind, sizeof(Real),
-                      SumOrder::fixed, has_edges ? edges.first() : edges.size());
+                      SumOrder::fixed, has_edges ? edges.first() : edges.size(), groups);
   }
   return sums;
 }

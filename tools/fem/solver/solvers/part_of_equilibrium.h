@@ -237,7 +237,7 @@ struct PartOfEquilibrium {
     }
     add_more(*this);
     arrays.cut(behind_names);
-    fill(whole);
+    fill(whole, cut);
     note_facts(whole);
   }
 
@@ -274,10 +274,11 @@ struct PartOfEquilibrium {
       add_node_patches(arrays, "", "node", "patch", patches, whole.patches, listed);
     }
   }
-  void fill(const Whole& whole) {
+  void fill(const Whole& whole, std::size_t cut) {
     fill_mesh(arrays, body, krylov, whole.body, listed_of(whole).nodes);
     if constexpr (Choices::assembled) {
       facts.sums = fill_levels(arrays, each_level(), whole.graphs, listed_levels_of(whole));
+      facts.rows = rows_of_levels(each_level(), whole.graphs, cut);
     } else {
       fill_level_by_tets(arrays, levels.front(), whole.graphs.front(), listed_of(whole).nodes);
     }

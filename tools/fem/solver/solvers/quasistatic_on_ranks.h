@@ -64,6 +64,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
       if constexpr (Level::Choices::assembled) {
         linear_.back()->sums = std::move(finest->facts.sums[l]);
+        linear_.back()->rows = std::move(finest->facts.rows[l]);
       } else {
         linear_.back()->assembled = false;
       }

@@ -91,6 +91,7 @@ struct ProgramTypes {
 struct MeshFacts {
   std::vector<TetChunk> chunks;
   std::vector<EdgeSums> sums;                  ///< of each level, where the stiffness is assembled
+  std::vector<EdgeRows> rows;                  ///< of each level, of several ranks on CUDA
   ExtraFacts extra;                            ///< where a preconditioner has arrays beside those of levels
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings

@@ -6,26 +6,28 @@
 #include <physgen/distributed/arrays.h>
 #include <physgen/distributed/cuda/block_values.h>
 #include <physgen/distributed/cuda/halo_exchange.h>
-#include <physgen/distributed/cuda/recorded_round.h>
+#include <physgen/distributed/cuda/recorded_loops.h>
 #include <physgen/distributed/cuda/transports.h>
 #include <physgen/distributed/options.h>
 #include <physgen/distributed/step_kernels.h>
 #include <physgen/kernels/object_numbers.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace physgen {
 
 /// The executor of arrays in CUDA memory, on the device that cut() took for this rank. With one rank every call is
-/// On's. Several ranks give the bits of one that computes on such a device. The host waits in every round of their
-/// loops for `done`; where NCCL carries what crosses, rounds are graphs that are replayed, unless PHYSGEN_LOOPS_ON_HOST
-/// is in the environment.
+/// On's. Several ranks give the bits of one that computes on such a device. Where NCCL carries what crosses, their
+/// loops are graphs whose rounds the device decides on; else, or with PHYSGEN_LOOPS_ON_HOST in the environment, the
+/// host waits in every round for `done`.
 /// @tparam On CudaExecutor
 template <class On>
   requires(std::is_same_v<typename On::Space, Cuda>)
@@ -34,8 +36,8 @@ class DistributedExecutor<On> {
   using Space = typename On::Space;
   /// A loop, once it has been run. It is run again with the same arrays, kernels and their parameters.
   struct Loop {
-    typename On::Loop of_one;                  ///< rank
-    std::vector<cuda::RecordedRound> of_many;  ///< ranks: one for each state in which rounds have begun
+    typename On::Loop of_one;                                    ///< rank
+    std::vector<cuda::RecordedLoop<typename On::Loop>> of_many;  ///< ranks: one for each state in which rounds begin
   };
 
   /// All ranks make it together. @param arrays outlive this. @pre cut() was called
@@ -137,6 +139,14 @@ class DistributedExecutor<On> {
     });
   }
 
+  /// The same, of what all ranks have, by each of them: nothing crosses, and it need not be a step over a set.
+  /// @throw Error when one of the kernel's views is of an array of which ranks have parts
+  template <class Work, class Kernel>
+  void perform_on_each(const Work& work, const Kernel& kernel) {
+    if (ranks_.count() > 1) ranks_.guard([&] { detail::require_replicated(*steps_, kernel); });
+    on_.perform(work);
+  }
+
   /// @param done a function object of what all ranks have
   template <class Body, class Done>
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {
@@ -144,13 +154,22 @@ class DistributedExecutor<On> {
     ranks_.guard([&] {
       detail::require_replicated(*steps_, done);
       for (int k = 0; k < most; ++k) {
-        run_round(loop.of_many, [&] {
-          body();
-          cuda::tell_whether_done<<<1, 1, 0, stream()>>>(done, reinterpret_cast<int*>(is_done_.data()));
-          cuda::check(cudaGetLastError(), "asking whether a loop is done");
-        });
+        const cuda::RoundState before(arrays_);
+        const auto fits = [&](const auto& recorded) { return recorded.state == before; };
+        const auto fitting = std::ranges::find_if(loop.of_many, fits);
+        if (fitting != loop.of_many.end()) return repeat_on_device(*fitting, most - k, body, done);
+        const std::size_t needs = cuda::needs_of(arrays_);
+        body();
+        cuda::tell_whether_done<<<1, 1, 0, stream()>>>(done, reinterpret_cast<int*>(is_done_.data()));
+        cuda::check(cudaGetLastError(), "asking whether a loop is done");
         wait();
         if (*reinterpret_cast<const int*>(is_done_.data()) != 0) return;
+        // Behind a round in which needs were learnt the next one may ask for lists of ghosts that are not there yet.
+        const bool is_alike = cuda::needs_of(arrays_) == needs && cuda::RoundState(arrays_) == before;
+        if (is_alike && !loops_on_host_ && crossing_.transport->can_be_captured() &&
+            loop.of_many.size() < most_recorded) {
+          record(loop, before, body, done);
+        }
       }
     });
   }
@@ -184,32 +203,52 @@ class DistributedExecutor<On> {
     return steps_ ? steps_->unknown() : none;
   }
   /// What has crossed so far, and before this was made.
-  [[nodiscard]] const Traffic& traffic() const {
-    return (crossing_.transport ? *crossing_.transport : arrays_.transport()).traffic();
+  [[nodiscard]] const Traffic& traffic() {
+    if (!crossing_.transport) return arrays_.transport().traffic();
+    if (!counted_.empty()) wait();
+    for (cuda::CountedRounds& rounds : counted_) crossing_.transport->count(rounds.take());
+    return crossing_.transport->traffic();
   }
   /// "NCCL 2.28.9", or "pinned memory and MPI, since ..."; of one rank "none".
   [[nodiscard]] const std::string& transport_name() const { return crossing_.name; }
 
  private:
-  /// Runs a round: as a graph, where one has been recorded that fits, and else step by step. Behind a round that leaves
-  /// the same fields fresh and the same arrays in place as it found, the next one is recorded.
-  template <class Round>
-  void run_round(std::vector<cuda::RecordedRound>& recorded, const Round& round) {
+  /// Records the rounds of a loop that leave what they find. @pre such a one has been run: it connected ranks and took
+  /// all memory that it needs
+  template <class Body, class Done>
+  void record(Loop& loop, const cuda::RoundState& state, const Body& body, const Done& done) {
     Transport& transport = *crossing_.transport;
-    if (loops_on_host_ || !transport.can_be_captured()) return round();
-    const cuda::RecordedRound::State before = cuda::RecordedRound::state_of(arrays_);
-    const auto fitting = std::ranges::find_if(recorded, [&](const auto& one) { return one.fits(before); });
-    if (fitting != recorded.end()) return fitting->replay(stream(), transport);
-    const std::size_t needs = cuda::RecordedRound::needs_of(arrays_);
-    round();
-    // Behind a round in which needs were learnt the next one may ask for lists of ghosts that are not there yet.
-    const bool has_learnt = cuda::RecordedRound::needs_of(arrays_) != needs;
-    if (recorded.size() < most_recorded && !has_learnt && cuda::RecordedRound::state_of(arrays_) == before) {
-      cuda::RecordedRound next;
-      next.record(stream(), arrays_, transport, round);
-      recorded.push_back(std::move(next));
+    cuda::RecordedLoop<typename On::Loop> recorded{state};
+    const Traffic before = transport.traffic();
+    bool is_captured = false;
+    std::string why_not;
+    try {
+      on_.record(recorded.loop, [&] { is_captured = (body(), true); }, done);
+    } catch (const Error& error) {
+      if (!is_captured) throw;
+      why_not = error.what();
+    }
+    const Traffic of_round = transport.traffic() - before;
+    transport.count(Traffic{} - of_round);  // nothing has crossed yet
+    why_not = cuda::reason_of_all(why_not, arrays_.transport());
+    if (why_not.empty()) {
+      recorded.counter = counted_.size();
+      counted_.emplace_back(of_round);
+      loop.of_many.push_back(std::move(recorded));
+      return;
+    }
+    loops_on_host_ = true;
+    if (ranks_.is_first()) {
+      std::fprintf(stderr, "physgen: the host waits in every round of loops, which this NCCL has in no graph: %s\n",
+                   why_not.c_str());
     }
   }
+  template <class Body, class Done>
+  void repeat_on_device(cuda::RecordedLoop<typename On::Loop>& recorded, int most, const Body& body, const Done& done) {
+    on_.repeat(recorded.loop, most, body, done);
+    on_.add_rounds(most, counted_[recorded.counter].number());
+  }
+
   template <class Kernel>
   [[nodiscard]] HaloSteps::Objects begin(index_t n, const Kernel& kernel, HaloSteps::Way way) {
     return steps_->begin(detail::kernels_of(kernel), n, way);
@@ -237,6 +276,7 @@ class DistributedExecutor<On> {
   cuda::DeviceTransport crossing_{nullptr, "none"};
   std::optional<HaloSteps> steps_;
   std::optional<detail::DeviceBlockValues> values_;
+  std::vector<cuda::CountedRounds> counted_;
 };
 
 }  // namespace physgen

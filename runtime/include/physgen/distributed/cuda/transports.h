@@ -25,6 +25,9 @@ struct DeviceTransport {
 /// @throw Error when ranks share a device without being allowed to (take_device())
 [[nodiscard]] DeviceTransport make_device_transport(const Ranks& ranks, Transport& host, Stream stream, bool uses_nccl);
 
+/// The first of all ranks' reasons; empty where none has one. All ranks call it together.
+[[nodiscard]] std::string reason_of_all(const std::string& mine, Transport& host);
+
 /// Through pinned memory. The host waits in begin() and in gather().
 [[nodiscard]] std::unique_ptr<Transport> make_pinned_transport(Transport& host, Stream stream);
 

@@ -124,7 +124,7 @@ PHYSGEN_FUNCTION void solve_coarsest(On& on, Level& level) {
 /// For executors that run all small levels at once: z of level l from its r.
 /// @return whether this one does, and has
 template <class On, class Levels>
-  requires(!PerformsIn<On, Cuda> || OnRanks<On>)
+  requires(!PerformsIn<On, Cuda>)
 PHYSGEN_FUNCTION bool cycle_at_once(On& /*on*/, Levels& /*levels*/, std::size_t /*l*/,
                                     const PreconditionerSettings& /*settings*/) {
   return false;

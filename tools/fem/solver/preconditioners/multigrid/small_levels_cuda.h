@@ -1,12 +1,13 @@
 // The small levels of a V-cycle in one kernel on CUDA: the program of cycle.h over the levels' views, by the threads of
 // a cluster of thread blocks. Between two steps these meet at a barrier of the hardware, which takes a fraction of what
-// a launch does. Kernels that sum rows, here and elsewhere, give a row to lanes of a warp. For CUDA translation units.
+// a launch does. For CUDA translation units.
 #pragma once
 
 #include <fem/solver/performs_in.h>
 #include <fem/solver/preconditioners/multigrid/cycle.h>
 #include <fem/solver/preconditioners/multigrid/level_views.h>
 #include <fem/solver/preconditioners/multigrid/row_product.h>
+#include <fem/solver/row_sums_cuda.h>
 #include <physgen/cuda/executor.h>
 
 #include <algorithm>
@@ -15,50 +16,6 @@
 #include <utility>
 
 namespace physgen::fem {
-
-namespace detail {
-
-/// A row of a kernel that sums rows (row_sums.h), by neighbouring lanes of a warp, all 32 of which come here.
-/// @param thread kernel.lanes of them have the row begin + thread / kernel.lanes, if that is below `end`
-template <class Kernel>
-__device__ void sum_row(index_t thread, index_t begin, index_t end, const Kernel& kernel) {
-  using Sum = decltype(kernel.part(index_t{0}, Lane{}));
-  constexpr int lanes = Kernel::lanes;
-  const index_t row = begin + thread / lanes;
-  const Lane lane{static_cast<int>(thread % lanes), lanes};
-  Sum sum = Sum::Zero();
-  if (row < end) sum = kernel.part(row, lane);
-  PHYSGEN_UNROLL
-  for (int distance = lanes / 2; distance > 0; distance /= 2) {
-    PHYSGEN_UNROLL
-    for (int k = 0; k < 3; ++k) sum[k] += __shfl_down_sync(~0U, sum[k], distance, lanes);
-  }
-  if (row < end && lane.number == 0) kernel.put(row, sum);
-}
-
-template <class Kernel>
-__global__ void sum_rows(index_t begin, index_t end, const Kernel kernel) {
-  sum_row(blockIdx.x * index_t{blockDim.x} + threadIdx.x, begin, end, kernel);
-}
-
-}  // namespace detail
-
-/// See row_sums.h.
-template <PerformsIn<Cuda> On, class Kernel>
-void run_rows(On& on, index_t rows, const Kernel& kernel) {
-  const auto launch = [&](index_t begin, index_t end, Stream stream) {
-    if (begin == end) return;
-    constexpr int threads = 256;
-    const auto blocks = static_cast<unsigned>(((end - begin) * Kernel::lanes + threads - 1) / threads);
-    detail::sum_rows<<<blocks, threads, 0, stream>>>(begin, end, kernel);
-    cuda::check(cudaGetLastError(), "launching sums of rows");
-  };
-  if constexpr (requires { on.run(rows, kernel, launch); }) {
-    on.run(rows, kernel, launch);
-  } else {
-    on.perform([&](Stream stream) { launch(0, rows, stream); });
-  }
-}
 
 /// Runs the steps of a program by the threads of a cluster, or of one thread block, that are all there are: each block
 /// takes a range of the objects.
@@ -191,7 +148,6 @@ template <class Levels, std::size_t... kNumbers>
 
 /// See cycle.h.
 template <PerformsIn<Cuda> On, class Levels>
-  requires(!OnRanks<On>)
 bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   const std::size_t count = levels.size() - l;
@@ -205,7 +161,7 @@ bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSe
   cuda::check(cudaGetDevice(&device), "asking for the current device");
   if (device != asked_device) blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
   asked_device = device;
-  on.perform([&](Stream stream) {
+  const auto launch = [&](Stream stream) {
     if (blocks == 1) {
       detail::run_small_levels<LevelViews<Level>><<<1, detail::small_level_threads, 0, stream>>>(small);
       cuda::check(cudaGetLastError(), "launching the small levels of a cycle");
@@ -214,7 +170,9 @@ bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSe
       cuda::check(cudaLaunchKernelEx(&launch.config, detail::run_small_levels<LevelViews<Level>>, small),
                   "launching the small levels of a cycle");
     }
-  });
+  };
+  Level& top = *levels[l];
+  detail::perform_here(on, launch, scaled_product(top, top.residual.const_view(), top.correction.view()));
   return true;
 }
 
