@@ -198,8 +198,9 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     return Outcome::done;
   }
   if (checkpoint) {
-    solver->restore(state_of(*checkpoint, solver->state()));
+    solver->restore(state_of(*checkpoint, solver->state(), ranks.is_first()));
     terminal.line("continuing after step %d, at a compression of %g", checkpoint->step, checkpoint->compression);
+    checkpoint.reset();
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()), ranks.is_first());
   files.write_record(record);
