@@ -193,17 +193,19 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   adapt_smoother(options, scene);
   for (const std::string& note : notes) terminal.text("note: " + note);
   const auto faces = static_cast<std::int64_t>(pressed_faces(scene.history.at(1).pressures).size());
-  RunBytes bytes =
-      bytes_of_run(counts, options.solver, {.scene = options.scene, .names = arrays_of(options), .faces = faces});
+  const RunArrays of_run{.scene = options.scene, .names = arrays_of(options), .faces = faces};
+  RunBytes bytes = bytes_of_run(counts, options.solver, of_run);
   if (scene.levels.front().axes) {  // the solver is made of a turned copy
     for (const LevelCounts& level : counts) bytes.lists += bytes_of_mesh(level);
   }
+  const RunBytes of_each = ranks.bytes_of_each(options, counts, of_run, bytes);
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     if (!ranks.are_several()) return Outcome::done;
+    ranks.print_forecast(of_each, terminal);
     options.out.clear();  // they make their parts to count them
   }
-  const NeededMemory needed(options, bytes, ranks.on_this_machine());
+  const NeededMemory needed(options, of_each, ranks.on_this_machine());
   needed.require(options, device);
   terminal.set_up(2, parts, "files");
   std::optional<FolderLock> lock;
@@ -216,8 +218,10 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   if (ranks.are_several()) ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
   std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
   terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (starts_device) {
-    options.solver.before_device = [&] { needed.require_on_gpu(device); };
+  if (options.solver.device == fem::Device::cuda) {
+    options.solver.before_device = [&] {
+      needed.require_on_gpu(starts_device ? device.free_bytes() : ranks.free_on_gpu());
+    };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;
   const fem::Loading loading = scene.history.at(1);
