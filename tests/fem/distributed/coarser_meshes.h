@@ -57,7 +57,7 @@ struct CoarserParts {
   }
   /// @param levels those of all meshes
   template <class Levels>
-  void fill(DistributedArrays& arrays, const Levels& levels) {
+  void fill(DistributedArrays& arrays, Levels& levels) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Mesh& mesh = parts[k];
       fill_mesh(arrays, mesh.body, mesh.krylov, whole[k].body, {whole[k].body.rest.size()});
