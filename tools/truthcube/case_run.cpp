@@ -87,12 +87,18 @@ class CaseSteps {
 
  private:
   void finish(double load, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton) {
-    const std::vector<Point> positions = solver_.positions();
-    CaseState state = case_state_of(scene_, options_.given_case, locations_, axes_, load, positions, solver_.forces());
+    const std::vector<Point> positions = solver_.positions(), forces = solver_.forces();
+    const auto stresses = options_.out.empty() && result.smallest_J > 0 ? Stresses() : solver_.stresses();
+    if (!options_.out.empty()) ranks_.count(record_);
+    if (!ranks_.is_first()) {
+      states_.emplace_back();
+      return;
+    }
+    CaseState state = case_state_of(scene_, options_.given_case, locations_, axes_, load, positions, forces);
     terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
                    result.iterations);
     for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
-    warn(load, result, state, positions);
+    warn(load, result, state, positions, stresses);
     StepRecord step;
     step.newton_iterations = result.steps;
     step.pcg_iterations = result.iterations;
@@ -104,9 +110,6 @@ class CaseSteps {
     states_.push_back(state);
     step.at = std::move(state);
     record_.steps.push_back(std::move(step));
-    if (options_.out.empty()) return;
-    ranks_.count(record_);
-    const auto stresses = solver_.stresses();  // of all ranks
     if (!viewers_) return;
     viewers_->write_step(static_cast<double>(states_.size()), positions, stresses);
     write_tables();
@@ -117,8 +120,8 @@ class CaseSteps {
     write_run_json(options_.out / "run.json", record_);
   }
 
-  void warn(double load, const fem::NewtonResult& result, const CaseState& state,
-            const std::vector<Point>& positions) const {
+  void warn(double load, const fem::NewtonResult& result, const CaseState& state, const std::vector<Point>& positions,
+            const Stresses& stresses) const {
     // Loads that balance each other leave no reaction for the residual to be small against.
     double applied = 0;
     for (const Point& force : external_forces(scene_.history.at(load), positions)) {
@@ -135,7 +138,7 @@ class CaseSteps {
     const fem::MeshLevel& level = scene_.levels.front();
     terminal_.warning(
         "at a load of %g, %s. A real body has no such equilibrium. Try more and smaller steps, or a finer mesh.", load,
-        truthcube::describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
+        truthcube::describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str());
   }
 
   [[nodiscard]] Outcome stop() const {
@@ -145,12 +148,14 @@ class CaseSteps {
 
   [[nodiscard]] Outcome fail(double load, const fem::NewtonResult& result) const {
     const fem::MeshLevel& level = scene_.levels.front();
+    const std::vector<Point> positions = solver_.positions();
+    const Stresses stresses = solver_.stresses();
+    if (!ranks_.is_first()) return Outcome::not_converged;
     terminal_.error(
         "truthcube: no equilibrium at a load of %g: %s, after %d Newton steps, with a residual of %.2e; the last "
         "equilibrium is at %g.\nThere, %s.\nTry more and smaller steps in the case, %sor a finer mesh.",
         load, reason(result.status), result.steps, result.residual, solver_.load(),
-        truthcube::describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_)
-            .c_str(),
+        truthcube::describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str(),
         options_.solver.precision == fem::TangentPrecision::float64 ? "" : "--precision double, ");
     return Outcome::not_converged;
   }
@@ -188,17 +193,19 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   adapt_smoother(options, scene);
   for (const std::string& note : notes) terminal.text("note: " + note);
   const auto faces = static_cast<std::int64_t>(pressed_faces(scene.history.at(1).pressures).size());
-  RunBytes bytes =
-      bytes_of_run(counts, options.solver, {.scene = options.scene, .names = arrays_of(options), .faces = faces});
+  const RunArrays of_run{.scene = options.scene, .names = arrays_of(options), .faces = faces};
+  RunBytes bytes = bytes_of_run(counts, options.solver, of_run);
   if (scene.levels.front().axes) {  // the solver is made of a turned copy
     for (const LevelCounts& level : counts) bytes.lists += bytes_of_mesh(level);
   }
+  const RunBytes of_each = ranks.bytes_of_each(options, counts, of_run, bytes);
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     if (!ranks.are_several()) return Outcome::done;
+    ranks.print_forecast(of_each, terminal);
     options.out.clear();  // they make their parts to count them
   }
-  const NeededMemory needed(options, bytes, ranks.on_this_machine());
+  const NeededMemory needed(options, of_each, ranks.on_this_machine());
   needed.require(options, device);
   terminal.set_up(2, parts, "files");
   std::optional<FolderLock> lock;
@@ -211,8 +218,10 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   if (ranks.are_several()) ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
   std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
   terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (starts_device) {
-    options.solver.before_device = [&] { needed.require_on_gpu(device); };
+  if (options.solver.device == fem::Device::cuda) {
+    options.solver.before_device = [&] {
+      needed.require_on_gpu(starts_device ? device.free_bytes() : ranks.free_on_gpu());
+    };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;
   const fem::Loading loading = scene.history.at(1);

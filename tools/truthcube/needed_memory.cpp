@@ -38,22 +38,20 @@ NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ra
     : who_((options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh") +
            (ranks > 1 ? " on each of " + std::to_string(ranks) + " ranks" : "")),
       remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-              (ranks > 1 ? "fewer ranks or --volume tets need less"
+              (ranks > 1 ? "ranks on more machines, fewer ranks or --volume tets need less"
                          : "--volume tets, --precision half or --product matrix-free need less")),
       bytes_(bytes),
       ranks_(ranks) {}
 
 void NeededMemory::require(const Options& options, const DeviceStart& device) const {
-  if (options.solver.device != fem::Device::cuda || ranks_ > 1) {  // ranks have much of the whole, on the host
+  if (options.solver.device != fem::Device::cuda || ranks_ > 1) {  // the arrays of ranks begin on the host
     require_memory(who_, ranks_ * (bytes_.solver + bytes_.lists), "this machine", host_memory(), remedy_);
     return;
   }
   require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);
-  if (on_gpu() > most_without_a_look) require_on_gpu(device);
+  if (on_gpu() > most_without_a_look) require_on_gpu(device.free_bytes());
 }
 
-void NeededMemory::require_on_gpu(const DeviceStart& device) const {
-  require_memory(who_, on_gpu(), "the GPU", device.free_bytes(), remedy_);
-}
+void NeededMemory::require_on_gpu(std::int64_t free) const { require_memory(who_, on_gpu(), "the GPU", free, remedy_); }
 
 }  // namespace physgen::truthcube

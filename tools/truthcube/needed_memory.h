@@ -19,13 +19,14 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
 /// The memory that a run takes, and its words where there is less.
 class NeededMemory {
  public:
-  /// @param ranks of this machine, each of which takes as much
+  /// @param bytes of one rank where there are several @param ranks of this machine, each of which takes as much
   NeededMemory(const Options& options, const RunBytes& bytes, int ranks = 1);
 
   /// @throw Error when the run would not fit, before it is allocated
   void require(const Options& options, const DeviceStart& device) const;
-  /// @throw Error when it does not fit into the GPU, or there is none
-  void require_on_gpu(const DeviceStart& device) const;
+  /// @param free bytes of the GPU of this process
+  /// @throw Error when it does not fit into the GPU
+  void require_on_gpu(std::int64_t free) const;
 
  private:
   /// Of runs this small the lists are made before the GPU is there to be asked; larger ones are refused sooner.

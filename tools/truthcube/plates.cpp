@@ -24,7 +24,32 @@ double end_of_nearby(double tolerance) {
   return std::min(nearby * std::max(tolerance, default_plate_tolerance), largest_plate_tolerance);
 }
 
+/// Of a box of cells with right angles, each with a diagonal of its own and one on each of its faces, without lists.
+double mean_edge_of_box(const MeshLevel& level) {
+  const auto& cells = level.mesh.box->cells;
+  const std::array<Index, 3> step{1, cells[0] + 1, (cells[0] + 1) * (cells[1] + 1)};
+  double sum = 0;
+  std::int64_t edges = 0;
+  for (Index node = 0; node < level.mesh.nodes; ++node) {
+    for (unsigned to = 1; to < 8; ++to) {  // neighbours that lie no lower along any axis
+      Index other = node;
+      bool is_there = true;
+      for (unsigned k = 0; k < 3; ++k) {
+        if ((to >> k & 1U) == 0) continue;
+        is_there &= node / step[k] % (cells[k] + 1) < cells[k];
+        other += step[k];
+      }
+      if (!is_there) continue;
+      const Point &a = level.rest[static_cast<std::size_t>(node)], &b = level.rest[static_cast<std::size_t>(other)];
+      sum += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+      ++edges;
+    }
+  }
+  return sum / static_cast<double>(edges);
+}
+
 double mean_edge_of(const MeshLevel& level) {
+  if (level.mesh.edges.empty() && level.mesh.box) return mean_edge_of_box(level);
   double sum = 0;
   for (const auto& [m, n] : level.mesh.edges) {
     const Point &a = level.rest[static_cast<std::size_t>(m)], &b = level.rest[static_cast<std::size_t>(n)];

@@ -2,6 +2,7 @@
 
 #include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
+#include <physgen/distributed/cuda/device.h>
 #include <physgen/error.h>
 #include <physgen/launch/processors.h>
 #include <physgen/threads.h>
@@ -16,6 +17,8 @@
 #include <span>
 
 #include "arrays.h"
+#include "memory.h"
+#include "rank_bytes.h"
 #include "scene_choice.h"
 
 namespace physgen::truthcube {
@@ -101,6 +104,16 @@ void RanksOfRun::print_table(const Terminal& terminal, const std::string& head, 
   for (std::size_t r = 0; r < lines.size(); ++r) terminal.text(column(static_cast<index_t>(r), 7) + lines[r]);
 }
 
+void RanksOfRun::print_forecast(const RunBytes& of_each, const Terminal& terminal) const {
+  terminal.line("each of %d ranks: about %lld bytes of the solver, and %s more on the host for its set-up",
+                ranks_.count(), static_cast<long long>(of_each.solver), gigabytes(of_each.lists).c_str());
+}
+
+std::int64_t RanksOfRun::free_on_gpu() const {
+  (void)cuda::take_device(ranks_, *transport_);
+  return cuda_memory();
+}
+
 #ifdef PHYSGEN_TRUTHCUBE_HAS_RANKS
 
 std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::string& scene,
@@ -112,12 +125,24 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::strin
   return solver;
 }
 
-std::size_t RanksOfRun::levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const {
-  if (!are_several() || options.output == Output::surface) return 0;  // a surface is found by rows of tets
+std::size_t RanksOfRun::levels_cut(const Options& options, const std::vector<LevelCounts>& counts) const {
   std::vector<index_t> nodes;
-  for (const LevelCounts& level : counts) nodes.push_back(level.nodes);
-  const std::size_t cut = fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
-  return std::min(cut, counts.size() - 1);  // by the edges of the coarsest, plates know how near nodes are theirs
+  for (const LevelCounts& level : counts) nodes.push_back(level.is_grid ? 0 : level.nodes);
+  return fem::levels_cut_by_solver(nodes, options.solver, ranks_.count(), replicated_);
+}
+
+std::size_t RanksOfRun::levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const {
+  const bool needs_rows = options.output == Output::surface;  // which is found by rows of tets
+  if (!are_several() || !options.is_cube() || needs_rows) return 0;
+  return levels_cut(options, counts);
+}
+
+RunBytes RanksOfRun::bytes_of_each(const Options& options, const std::vector<LevelCounts>& counts,
+                                   const RunArrays& arrays, const RunBytes& of_one) const {
+  if (!are_several()) return of_one;
+  const bool has_layers = levels_without_lists(options, counts) > 0;
+  return bytes_of_rank(counts, options.solver, arrays,
+                       {ranks_.count(), levels_cut(options, counts), has_layers ? options.cells : 0});
 }
 
 void RanksOfRun::print_parts(const Terminal& terminal) const {
@@ -162,6 +187,10 @@ std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::strin
 std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,
                                              const std::vector<LevelCounts>& /*counts*/) const {
   return 0;
+}
+RunBytes RanksOfRun::bytes_of_each(const Options& /*options*/, const std::vector<LevelCounts>& /*counts*/,
+                                   const RunArrays& /*arrays*/, const RunBytes& of_one) const {
+  return of_one;
 }
 void RanksOfRun::print_parts(const Terminal& /*terminal*/) const {}
 void RanksOfRun::print_iteration(const Terminal& /*terminal*/) const {}

@@ -14,6 +14,7 @@
 #include "options.h"
 #include "output/run_json.h"
 #include "sizes.h"
+#include "solver_bytes.h"
 #include "terminal.h"
 
 namespace physgen::fem {
@@ -46,6 +47,14 @@ class RanksOfRun {
   /// @param counts of all levels
   [[nodiscard]] std::size_t levels_without_lists(const Options& options, const std::vector<LevelCounts>& counts) const;
 
+  /// What one of several ranks takes, as bytes_of_rank(), of what one process does. With one: this.
+  [[nodiscard]] RunBytes bytes_of_each(const Options& options, const std::vector<LevelCounts>& counts,
+                                       const RunArrays& arrays, const RunBytes& of_one) const;
+  void print_forecast(const RunBytes& of_each, const Terminal& terminal) const;
+  /// Free bytes of the GPU of this rank, which it takes. All ranks call it. @throw Error as cuda_memory(), and as
+  /// cuda::take_device()
+  [[nodiscard]] std::int64_t free_on_gpu() const;
+
   /// The solver of several ranks, which print_parts() and count() ask: it lives as long as they are called.
   [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::string& scene,
                                                                     const std::vector<fem::MeshLevel>& levels,
@@ -60,6 +69,8 @@ class RanksOfRun {
   void count(RunRecord& record) const;
 
  private:
+  /// How many of the finest levels are cut.
+  [[nodiscard]] std::size_t levels_cut(const Options& options, const std::vector<LevelCounts>& counts) const;
   /// The texts of all ranks.
   [[nodiscard]] std::vector<std::string> texts_of_all(const std::string& mine) const;
   /// The numbers of all ranks, below this head, each in a column. @param last text behind them

@@ -96,18 +96,19 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   for (const std::string& note : notes) terminal.text("note: " + note);
   for (const std::string& warning : warnings_of(scene.plates)) terminal.warning("%s", warning.c_str());
   const std::string arrays = arrays_of(options);
-  const RunBytes bytes =
-      bytes_of_run(counts, options.solver,
-                   {options.scene, arrays, options.plates == Plates::contact ? 2 : 0, options.motion.fixed_order});
+  const RunArrays of_run{options.scene, arrays, options.plates == Plates::contact ? 2 : 0, options.motion.fixed_order};
+  const RunBytes bytes = bytes_of_run(counts, options.solver, of_run);
+  const RunBytes of_each = ranks.bytes_of_each(options, counts, of_run, bytes);
   if (options.dry_run) {
     if (!options.is_cube()) terminal.text(describe(scene.plates));
     print_sizes(counts, bytes, options, terminal);
     if (!ranks.are_several()) return Outcome::done;
+    ranks.print_forecast(of_each, terminal);
     options.out.clear();  // they make their parts to count them
     options.restart = false;
     options.beads.clear();
   }
-  const NeededMemory needed(options, bytes, ranks.on_this_machine());
+  const NeededMemory needed(options, of_each, ranks.on_this_machine());
   needed.require(options, device);
   std::optional<FolderLock> lock;
   if (!options.out.empty() && ranks.is_first()) {
@@ -154,8 +155,10 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
 
   terminal.set_up(4, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  if (starts_device) {
-    options.solver.before_device = [&] { needed.require_on_gpu(device); };
+  if (options.solver.device == fem::Device::cuda) {
+    options.solver.before_device = [&] {
+      needed.require_on_gpu(starts_device ? device.free_bytes() : ranks.free_on_gpu());
+    };
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;
   std::unique_ptr<fem::DynamicSolver> dynamic;
@@ -198,8 +201,9 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     return Outcome::done;
   }
   if (checkpoint) {
-    solver->restore(state_of(*checkpoint, solver->state()));
+    solver->restore(state_of(*checkpoint, solver->state(), ranks.is_first()));
     terminal.line("continuing after step %d, at a compression of %g", checkpoint->step, checkpoint->compression);
+    checkpoint.reset();
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()), ranks.is_first());
   files.write_record(record);

@@ -139,9 +139,10 @@ std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& che
   return steps;
 }
 
-fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape) {
+fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape, bool is_first) {
   fem::SolverState state = shape;
   state.load = checkpoint.compression;
+  if (!is_first) return state;
   std::size_t wanted = 0;
   for (const auto& level : state.positions) wanted += 3 * level.size();
   if (wanted != checkpoint.positions.size()) {

@@ -71,8 +71,9 @@ void require_last_order(const Options& options);
 [[nodiscard]] Checkpoint read_last_step(const Options& options, const Scene& scene, std::uint64_t mesh_hash);
 /// The record of the steps up to the checkpoint. @throw Error when there is none, or it has fewer steps
 [[nodiscard]] std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint);
-/// The state in a checkpoint. @param shape a state of the same solver, for the number of levels and nodes
+/// The state in a checkpoint. @param shape a state of the same solver, for the number of levels and nodes; on another
+/// rank than the first it has no nodes, and the result has none
 /// @throw Error when the checkpoint has another number of positions
-[[nodiscard]] fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape);
+[[nodiscard]] fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape, bool is_first);
 
 }  // namespace physgen::truthcube

@@ -61,6 +61,16 @@ std::int64_t inertia_bytes(const LevelCounts& c, bool solved) {
       [&]<class Inertia> { return Inertia::bytes(Inertia::counts(c.nodes, solved)); });
 }
 
+/// What kernels over a chunk of tets leave: on several ranks each mesh has its own, on CUDA of all of a rank's tets.
+template <class Types>
+std::int64_t chunk_bytes(std::int64_t tets, fem::TangentLists lists, bool on_ranks) {
+  if constexpr (Types::Space::kind == SpaceKind::cuda) {
+    using Chunk = typename decltype(Types::Arrays::chunk_arrays)::element_type;
+    if (on_ranks) return Chunk::bytes({.chunk_tet = tets, .kept_tet = tets});
+  }
+  return Types::Arrays::bytes_for_chunks(tets, lists);
+}
+
 template <class Real, class Space>
 RunBytes explicit_bytes(const LevelCounts& c, bool fixed_order) {
   using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
@@ -103,7 +113,11 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
         (l < solved ? surface_bytes<Types>(levels[l], arrays.faces >> (2 * l)) : 0) +
         (arrays.scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }
-  if constexpr (!linear_elastic) bytes.levels.front() += Types::Arrays::bytes_for_chunks(levels.front().tets, lists);
+  if constexpr (!linear_elastic) {
+    for (std::size_t l = 0; l < (arrays.on_ranks ? solved : 1); ++l) {
+      bytes.levels[l] += chunk_bytes<Types>(levels[l].tets, lists, arrays.on_ranks);
+    }
+  }
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of_array<elasticity::StressArray<double, typename Types::Space>>(levels.front().tets);
   return bytes;

@@ -24,6 +24,7 @@ struct RunArrays {
   std::int64_t planes = 0;           ///< fem::Loading::planes, their number
   bool fixed_order = false;          ///< fem::DynamicSettings::fixed_order
   std::int64_t faces = 0;            ///< of the finest mesh that fem::Loading::pressures push, their number
+  bool on_ranks = false;             ///< whether they are the part of one of several ranks
 };
 
 /// All of RunBytes but what lies in lists.

@@ -167,10 +167,15 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
                    std::vector<NewtonRecord> newton) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
   const std::vector<fem::PlaneContact> contacts = solver_.plane_contacts();
+  const std::optional<fem::NodeState> coarser = solver_.coarser_equilibrium();
+  const auto stresses = files_.writes() || result.smallest_J <= 0 ? solver_.stresses() : Stresses();
+  const fem::SolverState state = files_.writes() ? solver_.state() : fem::SolverState();
+  if (files_.writes()) ranks_.count(record_);
+  if (!ranks_.is_first()) return record_.steps.push_back({.compression = compression});
   const double reaction = plate_reaction(scene_.plates.upper.nodes.front(), forces, contacts);
   const double reach = reach_past_plates(scene_, compression, positions);
   Estimates estimates;
-  if (const auto coarser = solver_.coarser_equilibrium()) {
+  if (coarser) {
     estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser,
                                order_of_errors(scene_.grading));
   }
@@ -197,15 +202,15 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   } else if (reach > 1e-6 * scene_.plates.height()) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
-  warn(compression, result, positions);
+  warn(compression, result, positions, stresses);
   compare(compression, positions);
   if (!files_.writes()) return;
-  ranks_.count(record_);
-  files_.write_step(record_, compression, positions, solver_.stresses());
-  files_.write_checkpoint(record_, solver_.state());
+  files_.write_step(record_, compression, positions, stresses);
+  files_.write_checkpoint(record_, state);
 }
 
-void Steps::warn(double compression, const fem::NewtonResult& result, const std::vector<Point>& positions) const {
+void Steps::warn(double compression, const fem::NewtonResult& result, const std::vector<Point>& positions,
+                 const Stresses& stresses) const {
   if (tolerance_ > 0 && result.residual > tolerance_) {
     terminal_.warning(
         "at a compression of %g, rounding ended the solve at a residual of %.2e, above the tolerance of %.2e: "
@@ -219,8 +224,7 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
                              ? "--plates contact, a smaller --grading, or more and smaller --compress steps"
                              : "more and smaller --compress steps, more --cells, or --plates contact";
   terminal_.warning("at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
-                    describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str(),
-                    remedies);
+                    describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str(), remedies);
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
@@ -234,7 +238,10 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
       "equilibrium is at %g.",
       compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
-  const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses());
+  const std::vector<Point> positions = solver_.positions();
+  const Stresses stresses = solver_.stresses();
+  if (!ranks_.is_first()) return Outcome::not_converged;
+  const SuspectTet suspect = find_suspect(level.mesh, level.rest, positions, stresses);
   terminal_.error("There, %s.", describe(suspect, scene_).c_str());
   terminal_.error("Try %s.", words_.remedies.c_str());
   return Outcome::not_converged;

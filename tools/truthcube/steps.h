@@ -4,6 +4,7 @@
 #include <fem/mesh/locate.h>
 #include <fem/solver/quasistatic.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -34,6 +35,7 @@ struct MeasuredBeads {
 [[nodiscard]] const char* reason(fem::NewtonStatus status);
 
 class LastEquilibrium;
+using Stresses = std::vector<std::array<double, 9>>;  ///< of a solver, per tet
 
 /// How a run speaks of its solves.
 struct SolveWords {
@@ -69,7 +71,8 @@ class Steps {
   /// Prints and writes an equilibrium. @param newton the steps that led to it
   void finish(double compression, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton);
   /// Says on standard error why an equilibrium should not be taken as it is.
-  void warn(double compression, const fem::NewtonResult& result, const std::vector<fem::Point>& positions) const;
+  void warn(double compression, const fem::NewtonResult& result, const std::vector<fem::Point>& positions,
+            const Stresses& stresses) const;
   /// Writes the last equilibrium on the way, and says what stopped the run.
   [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
                              double seconds);

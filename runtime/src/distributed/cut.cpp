@@ -43,7 +43,8 @@ void Partition::cut(const std::function<void()>& behind_names) {
       const DistributedSet& set = sets_[static_cast<std::size_t>(array.set)];
       const bool names = std::ranges::count(array.is_index, 1) > 0;
       if (names != those_that_name || set.kind == DistributedSet::Kind::entries) continue;
-      array.resize(set.local ? set.local->size() : set.size);
+      const index_t size = set.local ? set.local->size() : set.size;
+      array.resize(array.window > 0 ? std::min(array.window, size) : size);
     }
   };
   resize(true);

@@ -15,11 +15,53 @@ const DistributedSet& HaloSteps::set_of_array(int array) const {
   return arrays_.sets()[static_cast<std::size_t>(arrays_.arrays()[static_cast<std::size_t>(array)].set)];
 }
 
+std::optional<index_t> HaloSteps::window_of(std::span<const Kernel> kernels) const {
+  std::optional<index_t> least;
+  for (const Kernel& kernel : kernels) {
+    for (const KernelView& view : kernel.views) {
+      const int array = view.base == nullptr ? -1 : arrays_.find(view.base);
+      if (array < 0 || arrays_.arrays()[static_cast<std::size_t>(array)].window == 0) continue;
+      least = std::min(least.value_or(view.size), view.size);
+    }
+  }
+  return least;
+}
+
+bool HaloSteps::writes_window(const Step& step) const {
+  return std::ranges::any_of(step.written, [&](const Field& field) {
+    return arrays_.arrays()[static_cast<std::size_t>(field.array)].window > 0;
+  });
+}
+
+void HaloSteps::require_of_window(std::span<const Kernel> kernels, const Step& step, index_t size) const {
+  const std::string what = *kernels.front().name + " writes a window of set " +
+                           arrays_.sets()[static_cast<std::size_t>(step.set)].name + ", ";
+  if (!step.reaches_on_ghosts) {
+    throw Error(what +
+                "and what it reads is not here for ghosts, too; give it rows in the table of kernels, and let "
+                "the set follow the one that its objects name");
+  }
+  if (const index_t window = *window_of(kernels); size > window) {
+    throw Error(what + "which has " + std::to_string(window) + " objects, and is run over " + std::to_string(size) +
+                "; run it over a window at a time");
+  }
+}
+
 HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t size, Way way) {
-  if (open_.name != nullptr) {
+  const bool is_of_window = window_of(kernels).has_value();
+  if (open_.name != nullptr && !(is_of_window && open_.is_of_window)) {
     throw Error(*kernels.front().name + " runs between two parts of the reduction of " + *open_.name +
                 ", of which ranks may have other numbers; run it behind the last part, or reduce all in one part");
   }
+  if (is_of_window && way != Way::run) {
+    throw Error(*kernels.front().name + " has a view of a window of a set, and " +
+                (way == Way::reduce ? "is reduced at once; reduce it in parts of a window, reduce_part()"
+                                    : "is done by code that is not split; let a kernel be run"));
+  }
+  return begin_step(kernels, size, way, is_of_window);
+}
+
+HaloSteps::Objects HaloSteps::begin_step(std::span<const Kernel> kernels, index_t size, Way way, bool is_of_window) {
   if (current_ != nullptr) {
     throw Error(*kernels.front().name + " is begun inside of the step of " + current_name_ +
                 ", behind which it is not known yet what is fresh; run it behind that step");
@@ -38,7 +80,7 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   if (found == steps_.end()) found = steps_.emplace(std::move(key), resolve(kernels, size)).first;
   const Step& step = found->second;
   if (step.set < 0) {
-    require_size_of_all_ranks(kernels, size, way);
+    require_size_of_all_ranks(kernels, size, way, is_of_window);
     current_ = &step;
     current_name_ = *kernels.front().name;
     on_ghosts_ = true;
@@ -46,7 +88,8 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
   }
   const DistributedSet& over = arrays_.sets()[static_cast<std::size_t>(step.set)];
   const index_t expected = over.local ? over.local->size() : size;
-  if (size != expected) {
+  const bool is_window = is_of_window && way == Way::run;
+  if (is_window ? size > expected : size != expected) {
     throw Error(*kernels.front().name + " is run over " + std::to_string(size) + " objects, and set " + over.name +
                 " has " + std::to_string(expected) + " here; run it over all, array.size()");
   }
@@ -61,14 +104,18 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
         ", which all ranks have, and reads others of which ranks have parts; let a kernel that is run write what "
         "it reads of these into an array of the set");
   }
+  on_ghosts_ = way != Way::at_once && can_be_of_ghosts(step);
+  if (writes_window(step)) {  // whose objects never cross: each rank computes all that it has
+    require_of_window(kernels, step, is_window ? size : 0);
+    on_ghosts_ = true;
+  }
   current_ = &step;
   current_name_ = *kernels.front().name;
-  on_ghosts_ = way != Way::at_once && can_be_of_ghosts(step);
   const std::vector<HaloFetch> stale = stale_of(step);
   if (!stale.empty()) begin_exchange(stale);
   // A kernel that gathers what it writes finds there what its calls have left so far.
   const auto is_gathered = [&](const Field& field) { return step.gathered.contains(field); };
-  const bool is_split = !stale.empty() && way != Way::at_once && step.is_known &&
+  const bool is_split = !stale.empty() && way != Way::at_once && !is_window && step.is_known &&
                         over.kind == DistributedSet::Kind::owned && std::ranges::none_of(step.written, is_gathered);
   std::vector<Range> inner;
   if (is_split) inner = inner_of(over, way);
@@ -77,7 +124,7 @@ HaloSteps::Objects HaloSteps::begin(std::span<const Kernel> kernels, index_t siz
     const int rank = arrays_.ranks().rank();
     return {over.computed->begin(rank), over.computed->end(rank), nullptr};
   }
-  if (!over.local) return {0, size, nullptr};  // entries, of which there are no ghosts
+  if (!over.local || is_window) return {0, size, nullptr};  // of entries there are no ghosts
   const LocalSet& objects = *over.local;
   if (over.kind == DistributedSet::Kind::replicated) return {0, size, nullptr};
   const Range all{objects.first(), objects.last()}, owned{objects.begin(), objects.end()};
@@ -117,18 +164,29 @@ HaloSteps::Objects HaloSteps::begin_part(std::span<const Kernel> kernels, const 
                 std::to_string(part.of) + ", where " + of_open + " is done up to object " + std::to_string(open_.next) +
                 "; give all parts, in ascending order, and without others between them");
   }
+  const std::optional<index_t> window = window_of(kernels);
+  if (window && part.count > *window) {
+    throw Error("a part of the reduction of " + *name + " has " + std::to_string(part.count) +
+                " objects, and a window " + std::to_string(*window) + "; make parts no larger than the window");
+  }
   if (open_.name == nullptr) {
-    Objects objects = begin(kernels, part.of, Way::reduce);
+    Objects objects = begin_step(kernels, part.of, Way::reduce, window.has_value());
     if (!objects.inner.empty()) arrive();
     objects.inner.clear();
-    open_ = {name, 0, part.of, objects, current_};
+    open_ = {name, 0, part.of, objects, current_, on_ghosts_, window.has_value()};
   }
+  current_ = open_.step;
+  current_name_ = *name;
+  on_ghosts_ = open_.on_ghosts;
   open_.next = part.first + part.count;
   return open_.objects;
 }
 
 void HaloSteps::end_part(const PartOfReduction& part) {
-  if (!part.is_last()) return;
+  if (!part.is_last()) {
+    if (open_.is_of_window) current_ = nullptr;  // others may run, before the next part
+    return;
+  }
   open_ = {};
   end();
 }

@@ -129,7 +129,13 @@ const LocalSet& Partition::set(std::string_view name) const {
 }
 
 const LocalSet& Partition::set_of(int array) const {
-  return set(sets_[static_cast<std::size_t>(arrays_[static_cast<std::size_t>(array)].set)].name);
+  const DistributedArray& found = arrays_[static_cast<std::size_t>(array)];
+  const std::string& of = sets_[static_cast<std::size_t>(found.set)].name;
+  if (found.window > 0) {
+    throw Error(found.name + " has a window of set " + of +
+                ", with other objects from step to step; take an array of all, or fill the window by a kernel");
+  }
+  return set(of);
 }
 
 int Partition::number_by_memory(const void* array, const std::byte* base) const {
@@ -152,6 +158,7 @@ const index_t* Partition::global_numbers(int array) {
 
 void Partition::set_fresh(int array, bool is_fresh) {
   DistributedArray& found = arrays_[static_cast<std::size_t>(array)];
+  if (found.window > 0) (void)set_of(array);  // which says that it has a window
   if (sets_[static_cast<std::size_t>(found.set)].kind == DistributedSet::Kind::entries) {
     throw Error(found.name +
                 " has entries of rows, which a rank has of ghosts, too, and which never cross; write them by a kernel "

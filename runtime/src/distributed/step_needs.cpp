@@ -85,7 +85,9 @@ std::vector<HaloFetch> HaloSteps::stale_of(const Step& step) {
   const auto add = [&](const Field& field, int need) {
     const HaloNeedBits wanted = HaloNeedBits{1} << need;
     if ((fresh(field) & wanted) != 0) return;
-    const int set = arrays_.arrays()[static_cast<std::size_t>(field.array)].set;
+    const DistributedArray& array = arrays_.arrays()[static_cast<std::size_t>(field.array)];
+    if (array.window > 0) throw Error(name_of(field) + " of a window is stale, and windows never cross");
+    const int set = array.set;
     stale.push_back({field, arrays_.need_of(set, also(field) | wanted)});
     // It crosses a second time since it was written; the next time all of that crosses at once.
     if (fresh(field) != 0) also(field) |= fresh(field) | wanted;

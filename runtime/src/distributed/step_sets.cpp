@@ -94,7 +94,8 @@ int HaloSteps::set_of_uniform(const Use& use) const {
   return set;
 }
 
-void HaloSteps::require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way) const {
+void HaloSteps::require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way,
+                                          bool is_of_window) const {
   bool has_views = false;
   for (const Kernel& kernel : kernels) {
     for (const KernelView& view : kernel.views) {
@@ -102,7 +103,8 @@ void HaloSteps::require_size_of_all_ranks(std::span<const Kernel> kernels, index
       if (view.base == nullptr || (array >= 0 && set_of_array(array).kind != DistributedSet::Kind::replicated))
         continue;
       has_views = true;
-      if (size == (array < 0 ? view.size : set_of_array(array).size)) return;
+      const index_t all = array < 0 ? view.size : set_of_array(array).size;
+      if (is_of_window && way == Way::run ? size <= all : size == all) return;
     }
   }
   if (!has_views && way != Way::reduce) return;  // it leaves nothing

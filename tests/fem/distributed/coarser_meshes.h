@@ -51,18 +51,20 @@ struct CoarserParts {
       const auto& body = whole[k].body;
       const ListedLevel listed{{body.rest.size()}, {body.edge_tet_ranges.size()}, {body.tets.size()}, {}};
       add_mesh(arrays, number, {level + ".node", tet, tet, tet}, parts[k].body, parts[k].chunk, parts[k].krylov, body,
-               listed);
+               listed, false);
       add_edge_tets(arrays, number, level + ".edge", tet, parts[k].body, body, listed);
     }
   }
-  void fill(DistributedArrays& arrays) {
+  /// @param levels those of all meshes
+  template <class Levels>
+  void fill(DistributedArrays& arrays, Levels& levels) {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Mesh& mesh = parts[k];
       fill_mesh(arrays, mesh.body, mesh.krylov, whole[k].body, {whole[k].body.rest.size()});
       mesh.facts.rounding_force = whole[k].facts.rounding_force;
       mesh.facts.plane_stiffness = whole[k].facts.plane_stiffness;
       mesh.facts.moves = whole[k].facts.moves;
-      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
+      mesh.facts.chunks = chunks_of_part<true>(arrays.transport(), mesh.body, levels[k + 1].edges.contents());
     }
   }
   template <class Each>

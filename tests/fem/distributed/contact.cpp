@@ -102,8 +102,10 @@ struct Contact : NothingBesides {
       arrays.add(of_planes + "areas", node, planes[l].areas.contents());
     }
   }
-  void fill(DistributedArrays& arrays) {
-    coarser.fill(arrays);
+  template <class Part>
+  void fill(Part& part) {
+    DistributedArrays& arrays = part.arrays;
+    coarser.fill(arrays, part.levels);
     for (std::size_t l = 0; l < planes.size(); ++l) {
       if (!is_solved(l)) continue;
       arrays.fill(planes[l].planes.contents(), whole[l].planes);

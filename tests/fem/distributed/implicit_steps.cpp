@@ -83,7 +83,9 @@ struct ImplicitSteps : NothingBesides {
       arrays.add("inertia" + number + "masses", "level" + number + "node", inertia[l].masses.contents());
     }
   }
-  void fill(DistributedArrays& arrays) {
+  template <class Part>
+  void fill(Part& part) {
+    DistributedArrays& arrays = part.arrays;
     for (std::size_t l = 0; l < inertia.size(); ++l) arrays.fill(inertia[l].masses.contents(), whole[l].masses);
     arrays.fill(inertia.front().velocities, whole.front().velocities);
     inertia.front().measured = whole.front().measured;

@@ -75,7 +75,10 @@ struct PressedCube : NothingBesides {
     if (options.without >= 0) rows.at(std::size_t(options.without)).access = {};
   }
   void add_to(DistributedArrays& arrays) { coarser.add_to(arrays, levels_cut); }
-  void fill(DistributedArrays& arrays) { coarser.fill(arrays); }
+  template <class Part>
+  void fill(Part& part) {
+    coarser.fill(part.arrays, part.levels);
+  }
   template <class Each>
   void print(const Digests<Each>& digests) const {
     coarser.print(digests);

@@ -100,7 +100,8 @@ struct NothingBesides {
   void change(std::vector<HaloUse>& /*rows*/) const {}
   /// Before the arrays are cut, and after it.
   void add_to(DistributedArrays& /*arrays*/) {}
-  void fill(DistributedArrays& /*arrays*/) {}
+  template <class Part>
+  void fill(Part& /*part*/) {}
   template <class Each>
   void print(const Digests<Each>& /*digests*/) const {}
 };
@@ -124,7 +125,7 @@ void run_on_ranks(const Ranks& ranks, HaloUses scene, const Groups& whole, Progr
   program.change(rows);
   PartOfEquilibrium groups(ranks, rows, whole, program.cut(whole.graphs, ranks.count()),
                            [&](auto& part) { program.add_to(part.arrays); });
-  program.fill(groups.arrays);
+  program.fill(groups);
   DistributedExecutor<HostExecutor> on(ranks, groups.arrays, {.poisons_stale_ghosts = true});
   Traffic before = on.traffic();
   const NewtonResult result = program.solve(on, groups, [&](const NewtonStep& step) {

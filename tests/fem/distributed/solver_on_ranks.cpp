@@ -52,7 +52,7 @@ void print_traffic(const Ranks& ranks, const char* what, const Traffic& traffic)
               static_cast<long long>(traffic.gathered_bytes));
 }
 
-/// Every rank has all values; each rank's stand in its own lines.
+/// The first rank has all values, and others have none.
 void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
   const auto positions = solver.positions(), forces = solver.forces();
   const auto stresses = solver.stresses();
@@ -60,7 +60,9 @@ void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
                      digest(forces) + " stresses " + digest(stresses);
   const auto coarser = solver.coarser_equilibrium();
   if (coarser) text += " coarser " + digest(coarser->positions) + " forces " + digest(coarser->forces);
-  ranks.agree("state", text);
+  const bool has_none = positions.empty() && forces.empty() && stresses.empty() &&
+                        (!coarser || (coarser->positions.empty() && coarser->forces.empty()));
+  if (has_none == ranks.is_first()) ranks.fail("values are on a wrong rank");
   if (ranks.is_first()) std::printf("%s\n", text.c_str());
 }
 

@@ -1,5 +1,6 @@
 // What plates hold: whole faces, also of meshes whose faces are flat but for rounding, and words where that is in
 // doubt.
+#include <fem/mesh/graded_cube.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <gtest/gtest.h>
@@ -68,6 +69,20 @@ TEST(Plates, hold_the_cubes_nodes_at_exactly_its_lowest_and_highest_z_on_every_l
     EXPECT_NEAR(plates.lower.area, side * side, 1e-12);
     EXPECT_NEAR(plates.upper.area, side * side, 1e-12);
     EXPECT_TRUE(warnings_of(plates).empty());
+  }
+}
+
+TEST(Plates, know_the_mean_edge_of_a_box_without_its_lists) {
+  for (const Index cells : {1, 3, 5, 7}) {
+    std::vector<MeshLevel> levels = fem::make_cube_levels(cells, side, false);
+    levels.resize(1);
+    fem::grade_cube(levels.front().rest, cells, side, 2.5);
+    const PlatesOfBody by_lists = hold_between_plates(levels, default_plate_tolerance);
+    levels.front().mesh.edges = {};
+    const PlatesOfBody without = hold_between_plates(levels, default_plate_tolerance);
+    EXPECT_NEAR(without.mean_edge / by_lists.mean_edge, 1, 1e-14) << cells;
+    EXPECT_EQ(without.lower.nodes, by_lists.lower.nodes);
+    EXPECT_EQ(without.upper.nodes, by_lists.upper.nodes);
   }
 }
 

@@ -102,30 +102,6 @@ def ranks_that_read_other_checkpoints_are_refused():
         assert len(re.findall(both, errors)) == 1, errors
 
 
-def a_dry_run_says_what_each_rank_has():
-    """Parts add up to the mesh, and bytes are those that a run takes; nothing is written."""
-    out = FOLDER / "dry"
-    output = done(0, *command(3, "--cells", "24", "--compress", "0.05", "--dry-run", "--out", str(out)))
-    assert not out.exists() and "compression" not in output, output
-    parts = [list(map(int, line.split()[:8])) for line in output.splitlines() if re.match(r" +\d+( +\d+){7}  ", line)]
-    print(output)
-    assert [part[0] for part in parts] == [0, 1, 2], output
-    nodes, ghosts, tets = (sum(part[k] for part in parts) for k in (1, 2, 3))
-    assert (nodes, tets) == (25 ** 3, 6 * 24 ** 3), (nodes, tets)
-    assert 4 * 25 ** 2 <= ghosts <= 10 * 25 ** 2 and min(part[4] for part in parts) > 0, parts  # about two planes at each side of a cut
-    assert [part[5] for part in parts] == [1, 2, 1], "neighbours"
-    # An iteration has six exchanges with multigrid over one level that is cut, and three gathers; each has a message to each neighbour.
-    assert output.count("in a PCG iteration: 6 exchanges, 3 gathers") == 1, output
-    sent = [list(map(int, line.split()[:4])) for line in output.splitlines() if re.match(r" +\d+( +\d+){3}  \S+$", line)]
-    assert [line[:2] for line in sent] == [[0, 6], [1, 12], [2, 6]], sent
-    plane = 25 ** 2 * 12
-    assert all(0.5 * plane < line[2] / line[1] <= 1.10 * plane and line[3] > 0 for line in sent), sent
-    done(0, *command(3, "--cells", "24", "--compress", "0.05", "--out", str(out)))
-    assert json.loads((out / "run.json").read_text())["bytes"] == sum(part[6] for part in parts), parts
-    again = done(0, *command(3, "--cells", "24", "--compress", "0.05", "0.1", "--dry-run", "--restart", "--beads", "none.csv", "--out", str(out)))
-    assert "compression" not in again and " machine" in again, again
-
-
 def a_program_that_no_launcher_started_does_not_begin_mpi():
     """Started by itself it is one process, which never calls MPI_Init, and prints nothing of ranks."""
     guard = FOLDER / "guard.so"

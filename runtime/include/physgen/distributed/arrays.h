@@ -40,8 +40,20 @@ class DistributedArrays : public Partition {
   /// @throw Error when the name or the array is taken, or there is no such set
   template <class Array>
   void add(const std::string& name, std::string_view set, Array& array) {
-    add_array({name, number_of(set), &array, [&array] { return array.untyped(); },
-               [&array, this](index_t size) { array = detail::make_array<Array>(size, ranks(), transport()); }});
+    add_window(name, set, array, 0);
+  }
+  /// An array of a window of the set: objects that steps leave for the next, a window at a time, and which never cross.
+  /// A rank goes through all that it has, ghosts among them, and all ranks have as many windows: empty ones first.
+  /// @param most objects that the window has at once, a multiple of 2048; 0: all
+  template <class Array>
+  void add_window(const std::string& name, std::string_view set, Array& array, index_t most) {
+    add_array(
+        {.name = name,
+         .set = number_of(set),
+         .array = &array,
+         .untyped = [&array] { return array.untyped(); },
+         .resize = [&array, this](index_t size) { array = detail::make_array<Array>(size, ranks(), transport()); },
+         .window = most});
   }
   /// A field of indices names objects of a set.
   /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -65,8 +66,9 @@ class HaloSteps {
   /// Behind the step that was begun last. Of a set that all ranks have, what each has computed is given to all.
   void end();
   /// The same for a part of a reduction: its objects are those of the whole. Fields cross before the first part alone,
-  /// since ranks may have other numbers of parts.
-  /// @throw Error, too, when parts do not follow each other
+  /// since ranks may have other numbers of parts, but where its kernel has a window: then all have as many, and steps
+  /// over windows may run between them.
+  /// @throw Error, too, when parts do not follow each other, or one is larger than the window
   [[nodiscard]] Objects begin_part(std::span<const Kernel> kernels, const PartOfReduction& part);
   void end_part(const PartOfReduction& part);
   /// Of code that is not called for the objects of a set: it may use what all ranks have alone.
@@ -94,6 +96,12 @@ class HaloSteps {
   using Key = std::vector<std::intptr_t>;
 
   [[nodiscard]] Step resolve(std::span<const Kernel> kernels, index_t size);
+  [[nodiscard]] Objects begin_step(std::span<const Kernel> kernels, index_t size, Way way, bool is_of_window);
+  /// The objects of the smallest window of which a kernel has a view; none: it has no view of one.
+  [[nodiscard]] std::optional<index_t> window_of(std::span<const Kernel> kernels) const;
+  [[nodiscard]] bool writes_window(const Step& step) const;
+  /// @throw Error when a step that writes a window cannot be done for ghosts, or is run over more than the window
+  void require_of_window(std::span<const Kernel> kernels, const Step& step, index_t size) const;
   [[nodiscard]] std::vector<Use> uses_of(std::span<const Kernel> kernels);
   [[nodiscard]] int set_of(const std::vector<Use>& uses, index_t size);
   /// The set of a step that is gathered. @pre it uses own objects of a set that all ranks have
@@ -110,7 +118,7 @@ class HaloSteps {
   /// The set of the objects that a uniform array has one record of, or -1 of other arrays and sets.
   [[nodiscard]] int set_of_uniform(const Use& use) const;
   /// Of a step of what all ranks have. @throw Error when its size is none that all ranks have
-  void require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way) const;
+  void require_size_of_all_ranks(std::span<const Kernel> kernels, index_t size, Way way, bool is_of_window) const;
   [[nodiscard]] bool may_write(const std::string& kernel, int view) const;
   /// Whether objects that an index field names are here, of all objects that the step may read it of.
   [[nodiscard]] bool reaches(const Step& step, const Partition::Naming& naming) const;
@@ -148,6 +156,7 @@ class HaloSteps {
     index_t next = 0, of = 0;
     Objects objects{0, 0, nullptr};
     const Step* step = nullptr;
+    bool on_ghosts = false, is_of_window = false;
   } open_;
   std::set<std::string> unknown_;
 };

@@ -57,6 +57,7 @@ struct DistributedArray {
   std::function<UntypedArray()> untyped;
   std::function<void(index_t)> resize;
   int uniform_of = -1;       ///< the set that has this one record for all of its objects
+  index_t window = 0;        ///< it has a window of the set, of so many objects at most; 0: all that are here
   UntypedArray memory = {};  ///< behind cut(), wherever a program moves or swaps its arrays to
   /// Of each field: the needs of which all ghosts have their owners' values.
   std::vector<HaloNeedBits> fresh = {};
@@ -90,8 +91,7 @@ class Partition {
   /// @throw Error when one of the sets is not known or not owned by objects, or one of them follows or is followed
   void follow(std::string_view set, std::string_view target);
   /// The objects of `set` are those of `other`: they have the same numbers, owners and ghosts, and `set` becomes
-  /// another name of it. For programs that count arrays of the same objects apart, since some of them may be left out;
-  /// and for arrays of a window of a set, which on several ranks have all that is here.
+  /// another name of it. For programs that count arrays of the same objects apart, since some of them may be left out.
   /// @throw Error when one of the sets is not known or not owned by objects, when their numbers of objects differ, or
   /// when they would follow two sets, or follow and be followed
   void same_set(std::string_view set, std::string_view other);

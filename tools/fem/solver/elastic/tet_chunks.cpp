@@ -38,21 +38,10 @@ std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::
   for (index_t first = 0; first < tets; first = last) {
     const auto material = std::ranges::upper_bound(material_ends, static_cast<Index>(first));
     last = std::min(first + most, material == material_ends.end() ? tets : index_t{*material});
-    if (first == 0) {
-      chunks.push_back({first, last, 0, mesh.nodes, 0, static_cast<index_t>(edges.size())});
-      continue;
-    }
-    Index lowest = mesh.nodes, highest = 0;
-    for (index_t t = first; t < last; ++t) {
-      const auto [low, high] = std::ranges::minmax(mesh.tets[static_cast<std::size_t>(t)]);
-      lowest = std::min(lowest, low);
-      highest = std::max(highest, high);
-    }
-    // Edges ascend by their first node.
-    const auto begins_before = [](const std::array<Index, 2>& edge, Index node) { return edge[0] < node; };
-    const auto begin = std::lower_bound(edges.begin(), edges.end(), lowest, begins_before);
-    const auto end = std::lower_bound(begin, edges.end(), highest, begins_before);
-    chunks.push_back({first, last, lowest, highest + 1, begin - edges.begin(), end - edges.begin()});
+    chunks.push_back(make_tet_chunk(
+        first, last, mesh.nodes, static_cast<index_t>(edges.size()),
+        [&](index_t t) { return mesh.tets[static_cast<std::size_t>(t)]; },
+        [&](index_t e) { return index_t{edges[static_cast<std::size_t>(e)][0]}; }));
   }
   return chunks;
 }

@@ -6,6 +6,7 @@
 #include <physgen/config.h>
 #include <physgen/memory/space.h>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -46,5 +47,29 @@ struct MaterialRange {
 /// @param material_ends as MeshLevel has them: no chunk has tets of two materials
 [[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges,
                                                     index_t most, std::span<const Index> material_ends = {});
+
+/// The chunk of tets first .. last-1 of a mesh with so many nodes and edges.
+/// @param nodes_of nodes_of(tet) gives the numbers of its nodes @param lower_node_of lower_node_of(edge)
+template <class NodesOf, class LowerNodeOf>
+[[nodiscard]] TetChunk make_tet_chunk(index_t first, index_t last, index_t nodes, index_t edges,
+                                      const NodesOf& nodes_of, const LowerNodeOf& lower_node_of) {
+  if (first == 0) return {first, last, 0, nodes, 0, edges};
+  index_t lowest = nodes, highest = 0;
+  for (index_t t = first; t < last; ++t) {
+    for (const index_t node : nodes_of(t)) {
+      lowest = std::min(lowest, node);
+      highest = std::max(highest, node);
+    }
+  }
+  const auto first_edge_of = [&](index_t node) {  // edges ascend by their lower node
+    index_t low = 0, high = edges;
+    while (low < high) {
+      const index_t middle = low + (high - low) / 2;
+      (lower_node_of(middle) < node ? low = middle + 1 : high = middle);
+    }
+    return low;
+  };
+  return {first, last, lowest, highest + 1, first_edge_of(lowest), first_edge_of(highest)};
+}
 
 }  // namespace physgen::fem

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/levels/distributed_levels.h>
+#include <fem/solver/solvers/chunks_of_part.h>
 #include <fem/solver/solvers/solver_program.h>
 #ifdef __CUDACC__
 #include <physgen/distributed/cuda/executor.h>
@@ -68,9 +69,10 @@ struct MeshSets {
 };
 /// The arrays of a mesh and of its linear solves, without those of its edges.
 /// @param number of the mesh where there are several, as "[1]" @param listed the objects of all that `whole` has
+/// @param keeps_tangents of all tets, as where tangents are not assembled
 template <class Body, class Chunk, class Krylov, class WholeBody>
 void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, Body& body, Chunk& chunk,
-              Krylov& krylov, const WholeBody& whole, const ListedLevel& listed) {
+              Krylov& krylov, const WholeBody& whole, const ListedLevel& listed, bool keeps_tangents) {
   const std::string of_body = "body" + number + ".", of_chunk = "chunk" + number + ".",
                     of_krylov = "krylov" + number + ".";
   arrays.add(of_body + "tets", sets.tet, body.tets.contents());
@@ -84,8 +86,8 @@ void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSe
   arrays.add(of_body + "forces", sets.node, body.forces);
   arrays.add(of_body + "trial_forces", sets.node, body.trial_forces);
   arrays.add(of_body + "increment", sets.node, body.increment);
-  arrays.add(of_chunk + "corners", sets.chunk_tet, chunk.corners);
-  arrays.add(of_chunk + "tangent", sets.kept_tet, chunk.tangent);
+  arrays.add_window(of_chunk + "corners", sets.chunk_tet, chunk.corners, most_of_window<Chunk>());
+  arrays.add_window(of_chunk + "tangent", sets.kept_tet, chunk.tangent, keeps_tangents ? 0 : most_of_window<Chunk>());
   arrays.add(of_krylov + "step", sets.node, krylov.step);
   arrays.add(of_krylov + "residual", sets.node, krylov.residual);
   arrays.add(of_krylov + "direction", sets.node, krylov.direction);
@@ -230,7 +232,7 @@ struct PartOfEquilibrium {
     } else {
       add_level_by_tets(arrays, "", "node", levels.front());
     }
-    add_mesh(arrays, "", sets, body, chunk, krylov, whole.body, listed);
+    add_mesh(arrays, "", sets, body, chunk, krylov, whole.body, listed, !Choices::assembled);
     if constexpr (Choices::assembled) add_edge_tets(arrays, "", "level[0].edge", "kept_tet", body, whole.body, listed);
     if constexpr (!std::is_same_v<Patches, NoArrays>) {
       if (whole.body.volumes.size() > 0) add_mesh_patches(sets, whole, listed);
@@ -283,16 +285,14 @@ struct PartOfEquilibrium {
       fill_level_by_tets(arrays, levels.front(), whole.graphs.front(), listed_of(whole).nodes);
     }
   }
-  /// One chunk for all tets that are here.
   void note_facts(const Whole& whole) {
-    const index_t nodes = body.rest.size(), edges = levels.front().edges.size();
     facts.meshes = whole.facts.meshes;
     facts.nodes = whole.facts.nodes;
     facts.node_stiffness = whole.facts.node_stiffness;
     facts.plane_stiffness = whole.facts.plane_stiffness;
     facts.rounding_force = whole.facts.rounding_force;
     facts.moves = whole.facts.moves;
-    facts.chunks = {{0, body.tets.size(), 0, nodes, 0, edges}};
+    facts.chunks = chunks_of_part<Choices::assembled>(arrays.transport(), body, levels.front().edges.contents());
   }
 };
 

@@ -61,7 +61,8 @@ struct PartOfRank {
       mesh.facts.rounding_force = facts.rounding_force;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
-      mesh.facts.chunks = {{0, mesh.body.tets.size(), 0, mesh.body.rest.size(), 0, mesh.body.edge_tet_ranges.size()}};
+      mesh.facts.chunks =
+          chunks_of_part<assembled>(finest->arrays.transport(), mesh.body, finest->levels[k + 1].edges.contents());
     }
     on = std::make_unique<On>(ranks, finest->arrays, options);
   }
@@ -105,7 +106,7 @@ struct PartOfRank {
     Mesh& mesh = coarser[k];
     const MeshSets sets{level + ".node", tet, tet, tet};
     add_set(arrays, tet, listed.tets.size, is_cut, sets.node);
-    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed);
+    add_mesh(arrays, number, sets, mesh.body, mesh.chunk, mesh.krylov, whole.body, listed, !assembled);
     if constexpr (assembled) add_edge_tets(arrays, number, level + ".edge", tet, mesh.body, whole.body, listed);
     if constexpr (has_patches) {
       if (whole.body.volumes.size() == 0) return;

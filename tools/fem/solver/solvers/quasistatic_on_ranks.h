@@ -56,6 +56,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       : PartOfRank(ranks, whole, options),
         Nested(*PartOfRank::on, settings, Types::make_material(settings, whole.body.volumes.size() > 0),
                1 + whole.coarser.size()),
+        is_first_(ranks.is_first()),
         fixed_(std::move(whole.fixed)),
         parents_(std::move(whole.parents)) {
     take(*finest);
@@ -117,11 +118,19 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     std::vector<std::size_t> counts;
     for (const auto& a : arrays_)
       counts.push_back(static_cast<std::size_t>(objects_of(a->rest.contents()).runs().size()));
-    require_state(state, counts);
+    if (is_first_) require_state(state, counts);
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
-      elasticity::NodePositionArray<double> all(static_cast<index_t>(state.positions[l].size()));
-      store_positions(state.positions[l], all.view());
-      for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) finest->arrays.fill(*array, all);
+      const LocalSet& objects = objects_of(arrays_[l]->rest.contents());
+      const std::vector<Point> here =
+          of_first_rank(objects, is_first_ ? std::span(state.positions[l]) : std::span<const Point>());
+      const auto position = [&](index_t node) {
+        typename std::remove_cvref_t<decltype(arrays_[l]->positions)>::Value value{};
+        for (int k = 0; k < 3; ++k) {
+          value.x[k] = here[static_cast<std::size_t>(objects.local(node))][static_cast<std::size_t>(k)];
+        }
+        return value;
+      };
+      for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) finest->arrays.fill(*array, position);
     }
     load_ = state.load;
     reached_ = state.is_equilibrium;
@@ -179,6 +188,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       store_loading(*this, fixed, moved, forces);
     }
   };
+  bool is_first_;
   // As WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
   std::vector<std::vector<std::array<Index, 2>>> parents_;
@@ -212,42 +222,39 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     (void)evaluate_now(level, load_);
     return of_all_ranks<3>(arrays_[level]->forces, [](const auto& node, int k) -> double { return node.f()[k]; });
   }
-  /// Numbers of all objects, on every rank. @param element element(object, k) is number k of an object
+  /// Numbers of all objects, by blocks of them, on the first rank; none on others.
+  /// @param element element(object, k) is number k of an object
   template <std::size_t kCount, class Array, class Element>
   [[nodiscard]] std::vector<std::array<double, kCount>> of_all_ranks(const Array& array, const Element& element) const {
     on->wait();
-    const LocalSet& objects = objects_of(array);
-    const Runs& runs = objects.runs();
-    std::vector<std::array<double, kCount>> mine(static_cast<std::size_t>(objects.owned()));
-    const auto& on_host = physgen::detail::in_form_of<physgen::detail::OnHost<Array>>(array);
-    const auto view = on_host.const_view();
-    for (index_t i = objects.begin(); i < objects.end(); ++i) {
-      for (std::size_t k = 0; k < kCount; ++k) {
-        mine[static_cast<std::size_t>(i - objects.begin())][k] = element(view[i], static_cast<int>(k));
+    std::vector<std::array<double, kCount>> all;
+    finest->arrays.each_block(array, [&](index_t first, const auto& view) {
+      if (first == 0) all.reserve(static_cast<std::size_t>(objects_of(array).runs().size()));
+      for (index_t i = 0; i < view.size(); ++i) {
+        std::array<double, kCount>& numbers = all.emplace_back();
+        for (std::size_t k = 0; k < kCount; ++k) numbers[k] = element(view[i], static_cast<int>(k));
       }
-    }
-    if (runs.ranks() == 1) return mine;
-    std::vector<std::array<double, kCount>> all(static_cast<std::size_t>(runs.size()));
-    const auto window = index_t{1} << 24;  // of objects: MPI gathers less than 2 GiB at once
-    const auto own = [&](int rank, index_t first, index_t last) {
-      const index_t begin = runs.begin(rank), end = runs.end(rank);
-      return std::pair{std::clamp(first, begin, end), std::clamp(last, begin, end)};
-    };
-    for (index_t first = 0; first < runs.size(); first += window) {
-      const index_t last = std::min(first + window, runs.size());
-      std::vector<index_t> sizes;
-      for (int r = 0; r < runs.ranks(); ++r) {
-        const auto [begin, end] = own(r, first, last);
-        sizes.push_back((end - begin) * index_t{sizeof(mine[0])});
-      }
-      const auto [begin, end] = own(objects.rank(), first, last);
-      const auto given = std::span(mine).subspan(static_cast<std::size_t>(begin - runs.begin(objects.rank())),
-                                                 static_cast<std::size_t>(end - begin));
-      const auto taken =
-          std::span(all).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
-      finest->arrays.transport().gather(std::as_bytes(given), sizes, std::as_writable_bytes(taken));
-    }
+    });
     return all;
+  }
+  /// Of what the first rank has of all objects, that of those that are here, by local numbers.
+  [[nodiscard]] std::vector<Point> of_first_rank(const LocalSet& objects, std::span<const Point> all) const {
+    constexpr index_t most = (index_t{64} << 20) / index_t{sizeof(Point)};
+    Transport& transport = finest->arrays.transport();
+    std::vector<Point> here(static_cast<std::size_t>(objects.size())), window;
+    index_t local = objects.first();
+    for (index_t first = 0; first < objects.runs().size(); first += most) {
+      const index_t last = std::min(first + most, objects.runs().size());
+      window.resize(static_cast<std::size_t>(last - first));
+      std::vector<index_t> sizes(static_cast<std::size_t>(transport.count()), 0);
+      sizes.front() = static_cast<index_t>(std::as_bytes(std::span(window)).size());
+      const auto given = all.empty() ? all : all.subspan(static_cast<std::size_t>(first), window.size());
+      transport.gather(std::as_bytes(given), sizes, std::as_writable_bytes(std::span(window)));
+      for (; local < objects.last() && objects.global(local) < last; ++local) {
+        here[static_cast<std::size_t>(local)] = window[static_cast<std::size_t>(objects.global(local) - first)];
+      }
+    }
+    return here;
   }
 };
 

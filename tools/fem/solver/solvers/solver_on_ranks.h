@@ -15,7 +15,9 @@ struct PartOfMesh {
   int neighbours = 0;  ///< ranks that own its ghost nodes
 };
 
-/// All ranks call each function, with the same arguments, and get the same values: those of the whole mesh.
+/// All ranks call each function, with the same arguments, and get the same values, but for what there is of each node
+/// or tet of the whole mesh: the first rank gets that, by blocks of at most 64 MB, and others get none. Of a state that
+/// is restored the first rank's positions are taken.
 class SolverOnRanks : public EquilibriumSolver {
  public:
   [[nodiscard]] virtual PartOfMesh part() const = 0;
