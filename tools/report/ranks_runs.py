@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs truthcube on one GPU and on several ranks with a GPU each, by turns, and collects their times:
-ranks_runs.py TRUTHCUBE -o FILE.json [--ranks N] [--runs N] CELLS,POISSON,VOLUME...
+ranks_runs.py TRUTHCUBE -o FILE.json [--ranks N] [--runs N] CELLS,POISSON,VOLUME[,RUNS]...
 
 A cube is pressed by 5 %, nested, and solved again three times; times are medians of all runs. Needs nothing but Python
 and mpirun."""
@@ -50,16 +50,18 @@ def main():
     parser.add_argument("-o", "--output", required=True, metavar="FILE.json")
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--runs", type=int, default=5, help="of each body and number of ranks")
-    parser.add_argument("bodies", nargs="+", metavar="CELLS,POISSON,VOLUME")
+    parser.add_argument("bodies", nargs="+", metavar="CELLS,POISSON,VOLUME[,RUNS]")
     options = parser.parse_args()
     rows = []
     for body in options.bodies:
-        if body.count(",") != 2:
-            sys.exit(f"ranks_runs.py: '{body}' is no body; write cells, Poisson's ratio and volumes, such as 64,0.49,patches")
-        cells, poisson, volume = body.split(",")
+        words = body.split(",")
+        if len(words) not in (3, 4) or not words[-1 if len(words) == 4 else 0].isdecimal():
+            sys.exit(f"ranks_runs.py: '{body}' is no body; write cells, Poisson's ratio, volumes and, for other than --runs, how many runs, "
+                     "such as 64,0.49,patches or 216,0.45,tets,1")
+        cells, poisson, volume = words[:3]
         records = {1: [], options.ranks: []}
         with tempfile.TemporaryDirectory() as folder:
-            for _ in range(options.runs):
+            for _ in range(int(words[3]) if len(words) == 4 else options.runs):
                 for ranks, of_ranks in records.items():
                     of_ranks.append(run(options.program, ranks, ["--cells", cells, "--poisson", poisson, "--volume", volume], folder))
         device = f"{options.ranks} x {records[1][0]['device']}"

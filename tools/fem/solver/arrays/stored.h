@@ -12,12 +12,17 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// Blocks that are gathered are records on CUDA: from tiles a block is read from nine places.
+/// Blocks that are gathered are records on CUDA: from tiles a block is read from nine places. Of corner forces a node
+/// gathers three numbers, or nine, of many tets at once, which nvcc does with one array for each number, and not with
+/// tiles (add_corners(), corner_sums.h).
 template <class Tag, class Array>
 auto as_computed() {
+  constexpr bool on_cuda = Array::View::Space::kind == SpaceKind::cuda;
   constexpr bool gathered = is_named<Tag>("level.edge_stiffness") || is_named<Tag>("schwarz.pair_stiffness");
-  if constexpr (gathered && Array::View::Space::kind == SpaceKind::cuda) {
+  if constexpr (gathered && on_cuda) {
     return std::type_identity<WithLayout<Array, Aos>>();
+  } else if constexpr (is_named<Tag>("chunk.corners") && on_cuda) {
+    return std::type_identity<WithLayout<Array, Soa>>();
   } else {
     return std::type_identity<Array>();
   }

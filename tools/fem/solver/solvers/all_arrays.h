@@ -9,10 +9,11 @@
 namespace physgen::fem {
 
 template <class Real, class Space>
-using EquilibriumArrays = EquilibriumOver<
-    Real, scenes::everything_scene::Body<Space, Real>, PatchesOver<scenes::everything_scene::Patches<Space, Real>>,
-    RingsOver<scenes::everything_scene::Rings<Space, Real>>, scenes::everything_scene::Chunk<Space, Real>,
-    SurfaceOver<scenes::everything_scene::Surface<Space, Real>>>;
+using EquilibriumArrays = EquilibriumOver<Real, scenes::everything_scene::Body<Space, Real>,
+                                          PatchesOver<scenes::everything_scene::Patches<Space, Real>>,
+                                          RingsOver<scenes::everything_scene::Rings<Space, Real>>,
+                                          scenes::everything_scene::Chunk<Space, Real, StoredAsComputed>,
+                                          SurfaceOver<scenes::everything_scene::Surface<Space, Real>>>;
 
 /// @tparam Stored StoredAsComputed or StoredInHalf
 template <class Real, class Space, class Stored>

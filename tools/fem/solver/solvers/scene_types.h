@@ -28,7 +28,7 @@ struct SceneArrays;
     using Space = Space_;                                                                                              \
     using Law = Material<double>;                                                                                      \
     using Arrays = EquilibriumOver<Real, scenes::scene##_scene::Body<Space_>, PHYSGEN_PATCHES_##volumes(scene),        \
-                                   NoArrays, scenes::scene##_scene::Chunk<Space_>>;                                    \
+                                   NoArrays, scenes::scene##_scene::Chunk<Space_, Real, StoredAsComputed>>;            \
     using Level =                                                                                                      \
         LevelOver<Real, Space_, StoredAsComputed, Choices_,                                                            \
                   scenes::scene##_scene::Level<Space_, Real, StoredAsComputed>, NoArrays, NoArrays, InertiaOf(scene)>; \
