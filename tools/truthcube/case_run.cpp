@@ -205,7 +205,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
     ranks.print_forecast(of_each, terminal);
     options.out.clear();  // they make their parts to count them
   }
-  const NeededMemory needed(options, of_each, ranks.on_this_machine());
+  const NeededMemory needed(options, of_each, ranks.on_this_machine(), ranks.are_several());
   needed.require(options, device);
   terminal.set_up(2, parts, "files");
   std::optional<FolderLock> lock;

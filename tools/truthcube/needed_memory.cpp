@@ -34,17 +34,18 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
   }
 }
 
-NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ranks)
+NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ranks, bool are_several)
     : who_((options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh") +
            (ranks > 1 ? " on each of " + std::to_string(ranks) + " ranks" : "")),
       remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
               (ranks > 1 ? "ranks on more machines, fewer ranks or --volume tets need less"
                          : "--volume tets, --precision half or --product matrix-free need less")),
       bytes_(bytes),
-      ranks_(ranks) {}
+      ranks_(ranks),
+      are_several_(are_several) {}
 
 void NeededMemory::require(const Options& options, const DeviceStart& device) const {
-  if (options.solver.device != fem::Device::cuda || ranks_ > 1) {  // the arrays of ranks begin on the host
+  if (options.solver.device != fem::Device::cuda || are_several_) {  // the arrays of ranks begin on the host
     require_memory(who_, ranks_ * (bytes_.solver + bytes_.lists), "this machine", host_memory(), remedy_);
     return;
   }

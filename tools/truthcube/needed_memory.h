@@ -20,7 +20,8 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
 class NeededMemory {
  public:
   /// @param bytes of one rank where there are several @param ranks of this machine, each of which takes as much
-  NeededMemory(const Options& options, const RunBytes& bytes, int ranks = 1);
+  /// @param are_several ranks of all machines: the device is not asked then, since each rank takes its own
+  NeededMemory(const Options& options, const RunBytes& bytes, int ranks = 1, bool are_several = false);
 
   /// @throw Error when the run would not fit, before it is allocated
   void require(const Options& options, const DeviceStart& device) const;
@@ -37,6 +38,7 @@ class NeededMemory {
   std::string who_, remedy_;
   RunBytes bytes_;
   int ranks_;
+  bool are_several_;
 };
 
 }  // namespace physgen::truthcube

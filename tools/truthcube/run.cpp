@@ -108,7 +108,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     options.restart = false;
     options.beads.clear();
   }
-  const NeededMemory needed(options, of_each, ranks.on_this_machine());
+  const NeededMemory needed(options, of_each, ranks.on_this_machine(), ranks.are_several());
   needed.require(options, device);
   std::optional<FolderLock> lock;
   if (!options.out.empty() && ranks.is_first()) {

@@ -3,12 +3,14 @@
 #include <fem/mesh/mesh.h>
 #include <fem/mesh/renumber.h>
 #include <gtest/gtest.h>
+#include <physgen/error.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace physgen::fem {
@@ -49,8 +51,8 @@ Sums follow(const EdgeGroups& groups, Index nodes, std::span<const std::array<In
       }
       std::set<std::uint32_t> seen;
       for (Index r = 0; r < last - stage; ++r) {
-        const std::uint32_t slot = view.slot_rank[stage + r] >> EdgeGroups::View::rank_bits;
-        const bool goes_on = r > 0 && slot == view.slot_rank[stage + r - 1] >> EdgeGroups::View::rank_bits;
+        const std::uint32_t slot = view.slot_rank[stage + r] >> EdgeGroups::rank_bits;
+        const bool goes_on = r > 0 && slot == view.slot_rank[stage + r - 1] >> EdgeGroups::rank_bits;
         EXPECT_TRUE(goes_on || seen.insert(slot).second) << "a slot that two threads would add to";
         sums.at(slot).push_back(edges[static_cast<std::size_t>(by_rank[static_cast<std::size_t>(r)])]);
       }
@@ -139,6 +141,18 @@ TEST(EdgeGroups, of_a_part_give_its_own_nodes_the_sums_of_the_whole) {
       }
       EXPECT_EQ(of_node, expected[static_cast<std::size_t>(n)]) << "node " << n;
     }
+  }
+}
+
+TEST(EdgeGroups, of_too_many_nodes_are_refused) {
+  const TetMesh mesh = make_box_mesh(17, 11, 13);
+  const std::vector<Index> first_node{0, 600, mesh.nodes};
+  try {
+    const EdgeGroups groups(first_edges(mesh.nodes, mesh.edges), mesh.edges, first_node, SpaceKind::host);
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(" on: a thread block has 512 at most"), std::string::npos) << message;
   }
 }
 

@@ -29,11 +29,15 @@ EdgeGroups::EdgeGroups(std::span<const Index> first_edge, std::span<const std::a
   HostList<std::uint32_t> slot_rank(edges.size());
   HostList<Index> found(edges.size()), first_outer(at(groups_) + 1);
   first_outer[0] = 0;
-  constexpr std::uint32_t most_slots = ~std::uint32_t{0} >> View::rank_bits;
+  constexpr std::uint32_t most_slots = ~std::uint32_t{0} >> rank_bits;
   physgen::detail::host_loop(groups_, [&](index_t g) {
     static thread_local Terms terms;
     const Index begin = first_node[at(g)], end = first_node[at(g) + 1];
     const Index from = first_edge[at(begin)], to = first_edge[at(end)];
+    if (end - begin > most_nodes) {
+      throw Error("a group of " + std::to_string(end - begin) + " nodes from node " + std::to_string(begin) +
+                  " on: a thread block has " + std::to_string(most_nodes) + " at most");
+    }
     terms.by_node.clear();
     terms.of_stage.assign(at((to - from) / stage_edges + 1), 0);
     for (Index e = from; e < to; ++e) {
@@ -52,7 +56,7 @@ EdgeGroups::EdgeGroups(std::span<const Index> first_edge, std::span<const std::a
       const Index rank = terms.of_stage[at(e / stage_edges)]++;
       constexpr std::uint32_t ranks = stage_edges - 1;
       std::uint32_t& of_rank = slot_rank[at(from + e / stage_edges * stage_edges + rank)];
-      of_rank = slot << View::rank_bits | (of_rank & ranks);
+      of_rank = slot << rank_bits | (of_rank & ranks);
       std::uint32_t& of_edge = slot_rank[at(from + e)];
       of_edge = (of_edge & ~ranks) | static_cast<std::uint32_t>(rank);
     }

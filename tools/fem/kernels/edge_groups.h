@@ -17,7 +17,8 @@ namespace physgen::fem {
 class EdgeGroups {
  public:
   static constexpr Index most_nodes = 512;  ///< of a group
-  static constexpr int stage_edges = 256;   ///< that a thread block multiplies at a time
+  static constexpr int rank_bits = 8;
+  static constexpr int stage_edges = 1 << rank_bits;  ///< that a thread block multiplies at a time
 
   /// The view that kernels are given. A group has a slot for each of its own nodes, then one for each outer node: one
   /// of no lower number, to which its edges lead. Edges of a group are taken in stages, from its first on.
@@ -30,9 +31,6 @@ class EdgeGroups {
     const Index* first_sum = nullptr;          ///< per node: where groups' sums for it begin (and one past the last)
     const Index* place = nullptr;              ///< per outer node: the place of its sum
     const std::uint32_t* slot_rank = nullptr;  ///< per edge e of a stage: the slot of the term of rank e, and e's rank
-
-    static constexpr int rank_bits = 8;
-    static_assert(stage_edges == 1 << rank_bits);
   };
 
   /// For no mesh.
@@ -40,7 +38,7 @@ class EdgeGroups {
   /// @param first_edge per node: the first of its edges as m (and one past the last node)
   /// @param edges (m, n) with m < n, ascending, from first_edge.front() on
   /// @param first_node per group: its first node (and one past the last), ascending, none of more than most_nodes
-  /// @throw Error when a group leads to more nodes than its list can number, or the memory cannot be had
+  /// @throw Error when a group has more nodes or leads to more than its list can number, or the memory cannot be had
   EdgeGroups(std::span<const Index> first_edge, std::span<const std::array<Index, 2>> edges,
              std::span<const Index> first_node, SpaceKind space);
 

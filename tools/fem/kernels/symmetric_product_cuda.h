@@ -119,7 +119,7 @@ __global__ void __launch_bounds__(group_threads)
       const EdgeContributions<S> terms = edge_contributions(product, index_t{stage + t});
       const std::uint32_t slot_rank = groups.slot_rank[stage + t];
       const auto rank = static_cast<int>(slot_rank % group_threads);
-      slot_of[buffer][t] = static_cast<int>(slot_rank >> EdgeGroups::View::rank_bits);
+      slot_of[buffer][t] = static_cast<int>(slot_rank >> EdgeGroups::rank_bits);
 #pragma unroll
       for (int k = 0; k < 3; ++k) {
         to_m[buffer][k][t] = terms.to_m[k];
@@ -160,14 +160,21 @@ __global__ void __launch_bounds__(group_threads)
 template <bool kAdds, class Product>
 void start_groups(const Product& product, const EdgeSums& sums, Stream stream) {
   using Scalar = typename Product::Scalar;
-  constexpr int slot_bytes = 3 * sizeof(Scalar), most_bytes = 96 * 1024;
+  // Of a block's shared memory, 1 KiB is the system's, and stages have some.
+  constexpr int stage_bytes = group_threads * (12 * int{sizeof(Scalar)} + 8) + 1024;
+  constexpr int slot_bytes = 3 * sizeof(Scalar), wanted_bytes = 96 * 1024;
+  int device = 0, block_bytes = 0;
+  cuda::check(cudaGetDevice(&device), "asking for the current device");
+  cuda::check(cudaDeviceGetAttribute(&block_bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, device),
+              "asking for its shared memory");
+  const int most_bytes = block_bytes - stage_bytes < wanted_bytes ? block_bytes - stage_bytes : wanted_bytes;
   const EdgeGroups::View groups = sums.groups().view();
   const auto start = [&](auto* kernel, int room) {
-    const int bytes = room * slot_bytes;
-    cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
+    // The same for all products of this kernel, of which graphs may hold some.
+    cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, most_bytes),
                 "asking for shared memory");
-    kernel<<<static_cast<unsigned>(groups.groups), group_threads, static_cast<std::size_t>(bytes), stream>>>(
-        product, groups, room, sums.contributions<Scalar>());
+    kernel<<<static_cast<unsigned>(groups.groups), group_threads, static_cast<std::size_t>(room) * slot_bytes,
+             stream>>>(product, groups, room, sums.contributions<Scalar>());
     cuda::check(cudaGetLastError(), "launching the groups of a symmetric product");
   };
   if (groups.most_slots <= most_bytes / slot_bytes) {

@@ -46,7 +46,9 @@ void add_scaled_edges(On& on, Level& level) {
 template <PerformsIn<Cuda> On, class Level, class DisplacementView, class DifferentialView>
 void multiply_scaled(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
   const auto product = scaled_product(level, x, y);
-  if (OnRanks<On> && level.rows.is_empty()) return multiply(on, product, level.sums);
+  if constexpr (OnRanks<On>) {
+    if (level.rows.is_empty()) return multiply(on, product, level.sums);
+  }
   detail::run_here(on, level.nodes(), MultiplyNodes{level.scaled_nodes.const_view(), x, y}, product);
   detail::add_scaled_edges(on, level, x, y);
 }
