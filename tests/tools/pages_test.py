@@ -151,6 +151,14 @@ class PagesTest(unittest.TestCase):
                 places += 1
         self.assertGreater(places, 20)
 
+    def test_the_page_of_the_set_up_names_each_of_its_stages(self):
+        sources = [path.read_text(encoding="utf-8") for path in (ROOT / "tools").rglob("*") if path.suffix in (".h", ".cpp", ".cu")]
+        stages = {name for text in sources for name in re.findall(r'InStage(?: \w+)?\("([^"]+)"\)', text)}
+        self.assertGreater(len(stages), 20)
+        page = (ROOT / "tools/truthcube/README.md").read_text(encoding="utf-8")
+        section = re.search(r"(?ms)^## The set-up$.*?^## ", page)[0]
+        self.assertEqual({name for name in stages if f"`{name}`" not in section}, set())
+
     def test_a_word_is_explained_once_in_one_list(self):
         words = [word for row in table("WORDS.md", "Words") for word in row[0].split(", ") if word]
         self.assertGreater(len(words), 30)

@@ -230,8 +230,8 @@ Outcome run(Options options, const std::string& command, const Ranks& ranks) {
                              : run_recorded(std::move(options), command, stages, together);
   } catch (const MemoryError& error) {
     throw Error("the memory ended" + in_stage() + ": " + text_of(error));
-  } catch (const std::bad_alloc&) {
-    throw Error("the memory ended" + in_stage());
+  } catch (const std::bad_alloc& error) {
+    throw Error("the memory ended" + in_stage() + ": " + error.what());
   }
 }
 

@@ -9,6 +9,7 @@
 #include <physgen/error.h>
 #include <physgen/threads.h>
 
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -167,6 +168,25 @@ TEST(MeshLists, a_mesh_that_only_looks_like_a_box_has_the_surface_of_its_tets) {
     tets = box.tets;
     expect_own_surface({{5, 7, 6}, {3, 2, 4}});
     expect_own_surface({{7, 5, 6}, {3, 2, 3}});
+  }
+}
+
+TEST(MeshLists, a_box_with_counts_below_1_or_beyond_numbers_is_none) {
+  const auto expect_surface_of_its_tets = [](TetMesh mesh, const BoxCells& cells) {
+    mesh.box = cells;
+    EXPECT_EQ(boundary_faces(mesh), (std::vector<Face>{{4, 6, 5}, {4, 5, 7}, {4, 7, 6}, {5, 6, 7}}));
+  };
+  // As many nodes and tets as these counts give; loops over their cells visit none.
+  for (const BoxCells& cells : {BoxCells{{-3, -2, 4}, {}}, {{-2, 3, -3}, {1, 1, 1}}, {{3, -2, -3}, {}}}) {
+    const auto& [x, y, z] = cells.cells;
+    std::vector<Tet> tets(at(6 * x * y * z), {0, 1, 2, 3});
+    tets.back() = {4, 5, 6, 7};
+    expect_surface_of_its_tets(make_tet_mesh((x + 1) * (y + 1) * (z + 1), tets), cells);
+  }
+  const TetMesh mesh = make_tet_mesh(8, {{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {4, 5, 6, 7}});
+  constexpr Index most = std::numeric_limits<Index>::max();
+  for (const BoxCells& cells : {BoxCells{{0, 0, 7}, {}}, {{1, 1, most}, {}}, {{most, most, most}, {}}}) {
+    expect_surface_of_its_tets(mesh, cells);
   }
 }
 

@@ -159,17 +159,61 @@ case $rule in
     expect out 'the mesh has 2 parts that share no node.*48 elements and 27 nodes from element 1 .*, 48 elements and 27 nodes from element 49'
     awk -v one="$(number_of reaction one/run.json)" -v two="$(number_of reaction two/run.json)" \
       'BEGIN { exit !(one < -0.1 && (two - 2 * one) ^ 2 < 1e-12 * one * one) }' || fail 'not twice the reaction' ;;
-  a_single_tet_and_a_binary_file_that_is_cut_off_are_refused)
+  a_single_tet_is_no_body_between_plates_and_a_binary_file_that_is_cut_off_is_refused)
     printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$Nodes' 4 '1 0 0 0' '2 1 0 0' '3 0 1 0' '4 0 0 1' '$EndNodes' \
       '$Elements' 1 '1 4 2 0 1 1 2 3 4' '$EndElements' >one.msh
     expect_exit 1 --mesh one.msh
     expect err 'These are only 3 and 1, .*: give the mesh flat faces there, or a larger --plate-tolerance'
+    # Held by a face, and pulled at the node opposite, it is a case that can be solved.
+    sed -e 's/^\$Nodes/$PhysicalNames\n2\n2 1 "base"\n0 2 "tip"\n$EndPhysicalNames\n&/' \
+      -e '/^\$Elements/,$ { s/^1$/3/; s/^\$EndE/2 2 2 1 1 1 2 3\n3 15 2 2 2 4\n&/ }' one.msh >named.msh
+    echo '{"mesh": "named.msh", "material": {"young": 6e3, "poisson": 0.45}, "supports": [{"group": "base"}],
+      "loads": [{"group": "tip", "force": [1, 0, -20]}]}' >one.json
+    for volume in tets patches nodes; do
+      expect_exit 0 --case one.json --threads 1 --volume $volume --precision double --tolerance 1e-10 --out $volume
+      expect out '^1 tets, 4 nodes, 1 levels'
+      expect out 'reaction of base: [(]-1, [-0-9.e]+, 20[)] N'
+      awk -v a="$(number_of energy $volume/run.json | sed -n 1p)" -v b="$(number_of energy tets/run.json | sed -n 1p)" \
+        'BEGIN { exit !(a < -0.05 && (a - b) ^ 2 < 1e-20) }' || fail "another energy by $volume"
+    done
     for bytes in 60 1000 5000; do
       head -c $bytes "$here/../../fem/mesh/gmsh/binary_41.msh" >cut.msh
       expect_exit 1 --mesh cut.msh --out o
       expect err 'cut.msh.*the file may be cut off or damaged: write it again'
       [[ ! -e o ]] || fail 'a folder was made'
     done ;;
+  memory_that_ends_in_the_set_up_of_a_mesh_is_said_with_its_stage_and_bytes)
+    write_mesh 20 >m.msh
+    # From the addresses that the program needs for itself to those that all of the set-up has room in.
+    limited() { # kilobytes arguments...
+      got=0
+      (ulimit -v "$1" && "$program" "${@:2}" >out 2>err) || got=$?
+    }
+    bare=16000
+    for ((got = 1; got != 0; bare += 4000)); do limited $bare --cells 2 --threads 1 --dry-run; done
+    got=1 stages=''
+    for ((limit = bare; got != 0; limit += 4000)); do
+      rm -rf o
+      limited $limit --mesh m.msh --threads 1 --set-up --quiet --out o
+      ((got == 0)) && break
+      ((got == 1)) || fail "exit $got within $limit kB"
+      expect err '^truthcube: (the memory ended in its stage "[a-z ]+": .*[0-9]+ .*bytes|.* takes [0-9.]+ GB .*, and this machine has )'
+      [[ ! -e o || -z $(ls -A o) ]] || fail "left within $limit kB: $(ls -A o)"
+      stages+=$(sed -nE 's/.*in its stage "([a-z ]+)".*/ (\1)/p' err)
+    done
+    [[ $stages == *'(arrays of levels)'*'(arrays of meshes)'* ]] || fail "ended in$stages"
+    limited $limit --mesh m.msh --threads 1 --set-up
+    ((got == 0)) || fail "exit $got without room for a copy"
+    expect out 'no room for a copy beside the solver, so its rate was not measured$' ;;
+  ctrl_c_ends_the_set_up_of_a_mesh_and_leaves_nothing)
+    write_mesh 40 >m.msh
+    for seconds in 0.05 0.15; do
+      got=0
+      timeout -k 1 -s INT $seconds "$program" --mesh m.msh --threads 1 --set-up --out o >out 2>err || got=$?
+      ((got == 124)) || fail "exit $got" # 137 where it had to be killed
+      [[ ! -e o || -z $(ls -A o) || $(ls -A o) == run.lock ]] || fail "left: $(ls -A o)"
+    done
+    expect_exit 0 --mesh m.msh --threads 1 --set-up --out o ;;
   a_mesh_that_is_too_large_when_refined_is_refused_before_it_is_made)
     write_mesh 8 >m.msh
     expect_exit 1 --mesh m.msh --refine 6

@@ -31,6 +31,10 @@ void each_tet_of_box_node(const TetMesh& mesh, Index node, const Act& act) {
   });
 }
 
+/// Whether a box, which somebody may have written by hand, has at least one cell along each axis, so many nodes, and no
+/// cell mirrored before the first.
+[[nodiscard]] bool is_box_of(const BoxCells& box, Index nodes);
+
 /// Whether a mesh has the tets that make_box_mesh() makes of its box.
 [[nodiscard]] bool has_tets_of_box(const TetMesh& mesh);
 

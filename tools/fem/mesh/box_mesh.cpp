@@ -62,11 +62,17 @@ void write_box_tets(TetMesh& mesh) {
 
 }  // namespace
 
+bool detail::is_box_of(const BoxCells& box, Index nodes) {
+  const auto& [nx, ny, nz] = box.cells;
+  const MirroredFrom& from = box.mirrored;
+  if (nx < 1 || ny < 1 || nz < 1 || from.x < 0 || from.y < 0 || from.z < 0) return false;
+  const index_t layer = (index_t{nx} + 1) * (index_t{ny} + 1);
+  return nodes % layer == 0 && nodes / layer == index_t{nz} + 1;  // no product of three, which may overflow
+}
+
 bool detail::has_tets_of_box(const TetMesh& mesh) {
-  if (!mesh.box) return false;
+  if (!mesh.box || !is_box_of(*mesh.box, mesh.nodes)) return false;
   const TetsOfBox box(*mesh.box);
-  const auto& [nx, ny, nz] = mesh.box->cells;
-  if (mesh.nodes != (nx + 1) * (ny + 1) * (nz + 1)) return false;
   if (static_cast<index_t>(mesh.tets.size()) != box.rows() * box.tets_of_row()) return false;
   std::atomic<bool> has_all = true;
   physgen::detail::for_each_index<64>(0, box.rows(), [&](index_t row) {

@@ -8,6 +8,7 @@
 #include <physgen/threads.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -277,6 +278,11 @@ TEST(LevelGraphs, of_meshes_that_only_look_like_boxes_are_found_among_their_tets
       expect_own_lists([&](auto& tets) { turn_cell(levels[l].mesh, middle, tets); });
       expect_same(l, [](MeshLevel& level) { level.mesh.box->mirrored.y += 1; });
       expect_same(l, [](MeshLevel& level) { std::swap(level.mesh.box->cells[0], level.mesh.box->cells[1]); });
+      // As many nodes, by two counts below 0, whose loops visit nothing; and counts that none can have.
+      const auto& [x, y, z] = levels[l].mesh.box->cells;
+      expect_same(l, [x = x, y = y, z = z](MeshLevel& level) { level.mesh.box->cells = {-2 - x, -2 - y, z}; });
+      expect_same(l, [](MeshLevel& level) { level.mesh.box->cells[2] = std::numeric_limits<Index>::max(); });
+      expect_same(l, [](MeshLevel& level) { level.mesh.box->mirrored.z = std::numeric_limits<Index>::min(); });
       if (patches) {
         expect_same(l + 2, [](MeshLevel& level) { level.patches = {}; });
         expect_same(l, [](MeshLevel& level) { level.patches.node_counts[5] = 7; });

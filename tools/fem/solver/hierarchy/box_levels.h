@@ -26,8 +26,8 @@ inline constexpr Index reach_of_edges = 2;
 
 /// Whether the edges of a mesh are those of neighbours, and alike for nodes of its box beside which cells are alike.
 [[nodiscard]] inline bool has_repeated_edges(const TetMesh& mesh) {
+  if (!is_box_of(*mesh.box, mesh.nodes) || mesh.edges.empty()) return false;
   const AlikeNodes nodes(*mesh.box, 1);
-  if (nodes.count() != mesh.nodes || mesh.edges.empty()) return false;
   const auto first_of = [&mesh](Index node) {
     return std::ranges::lower_bound(mesh.edges, node, {}, [](const auto& edge) { return edge[0]; }) -
            mesh.edges.begin();
