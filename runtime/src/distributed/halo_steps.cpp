@@ -178,6 +178,13 @@ HaloSteps::Objects HaloSteps::begin_part(std::span<const Kernel> kernels, const 
   current_ = open_.step;
   current_name_ = *name;
   on_ghosts_ = open_.on_ghosts;
+  if (part.first > 0 && open_.is_of_window) {
+    const std::vector<HaloFetch> stale = stale_of(*open_.step);
+    if (!stale.empty()) {
+      throw Error("a step between two parts of the reduction of " + *name + " wrote " + name_of(stale.front().field) +
+                  ", which later parts read of other ranks' objects; write it behind the last part");
+    }
+  }
   open_.next = part.first + part.count;
   return open_.objects;
 }

@@ -9,9 +9,11 @@ class Windows : public Steps {
   void cut_with_window(bool follows, index_t most) {
     make_sets(follows);
     arrays.add_window("b.pulls", "edge", pulls, most);
+    arrays.add("b.means", "node", means);
     arrays.cut();
     pull.views = {of(edges.const_view()), of(positions.const_view()), of(pulls.view())};
-    sum.views = {of(ranges.const_view()), of(ends.const_view()), of(pulls.const_view()), of(positions.view())};
+    sum.views = {of(ranges.const_view()), of(ends.const_view()), of(pulls.const_view()), of(means.view())};
+    move.views = {of(ranges.const_view()), of(ends.const_view()), of(pulls.const_view()), of(positions.view())};
     other.views = {of(edges.const_view()), of(positions.const_view())};
   }
   /// "accepted", or why a step is not.
@@ -32,8 +34,9 @@ class Windows : public Steps {
   }
 
   elasticity::NodeForceArray<double> pulls;
+  elasticity::NodePositionArray<double> means;
   const std::string pulls_name = "Pulls", sums_name = "SumsPulls", other_name = "Gathers", without_rows = "NoRows";
-  HaloSteps::Kernel pull{&pulls_name, {}}, sum{&sums_name, {}}, other{&other_name, {}};
+  HaloSteps::Kernel pull{&pulls_name, {}}, sum{&sums_name, {}}, move{&sums_name, {}}, other{&other_name, {}};
 };
 
 TEST_F(Windows, have_so_many_objects_and_steps_over_them_no_more) {
@@ -81,6 +84,17 @@ TEST_F(Windows, are_reduced_in_parts_between_which_steps_read_them) {
   // A reduction without a window lets nothing run between its parts.
   EXPECT_EQ(part(steps, other, {0, 20, 60}), "accepted");
   EXPECT_NE(run(steps, sum, 100), "accepted");
+}
+
+TEST_F(Windows, are_not_reduced_further_behind_a_step_that_wrote_what_is_read_of_others) {
+  cut_with_window(true, 20);
+  HaloSteps steps(arrays, true);
+  EXPECT_EQ(part(steps, pull, {0, 20, 60}), "accepted");
+  EXPECT_EQ(run(steps, move, 100), "accepted");
+  EXPECT_EQ(
+      part(steps, pull, {20, 20, 60}),
+      "physgen: a step between two parts of the reduction of Pulls wrote b.positions.x, which later parts read of "
+      "other ranks' objects; write it behind the last part");
 }
 
 TEST_F(Windows, are_computed_for_ghosts_or_refused) {

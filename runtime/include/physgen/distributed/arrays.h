@@ -44,7 +44,7 @@ class DistributedArrays : public Partition {
   }
   /// An array of a window of the set: objects that steps leave for the next, a window at a time, and which never cross.
   /// A rank goes through all that it has, ghosts among them, and all ranks have as many windows: empty ones first.
-  /// @param most objects that the window has at once, a multiple of 2048; 0: all
+  /// @param most objects that the window has at once, for reductions a multiple of 2048; 0: all
   template <class Array>
   void add_window(const std::string& name, std::string_view set, Array& array, index_t most) {
     add_array(

@@ -63,7 +63,7 @@ class DistributedExecutor<On> {
 
   /// The parts are those of the objects that are here, part.of = array.size(); ranks may have other numbers of parts.
   /// `then` is called behind the last, on all ranks, with the value that one reduction of all objects has.
-  /// @throw Error, too, when another step runs between two parts
+  /// @throw Error, too, when another step runs between two parts, but for steps over windows (add_window())
   template <class Kernel, class Fold, class Then>
   void reduce_part(const PartOfReduction& part, const Kernel& kernel, Fold fold, const Then& then) {
     if (ranks_.count() == 1) return on_.reduce_part(part, kernel, fold, then);

@@ -10,7 +10,7 @@ namespace physgen {
 
 /// Local numbers ascend with global ones, so rows, edges and blocks add in the order of one process:
 ///
-///   0 .. first()-1           objects that stand for none; no kernel is called for them
+///   0 .. first()-1           objects that stand for none; of kernels, only those over windows are called for them
 ///   first() .. begin()-1     ghosts: objects of ranks below
 ///   begin() .. end()-1       owned; begin() is a multiple of Runs::block, as the global number is
 ///   end() .. size()-1        ghosts: objects of ranks above
