@@ -68,7 +68,7 @@ RunBytes bytes_of_rank(const std::vector<LevelCounts>& levels, const fem::Solver
   bytes.solver += bytes.stresses;  // which a rank has from the beginning
   bytes.levels.front() += bytes.stresses;
   bytes.stresses = 0;
-  if (ranks.cells == 0) {
+  if (!ranks.has_layers) {
     bytes.lists = bytes_of_run(levels, settings, arrays).lists;
     return bytes;
   }

@@ -11,8 +11,9 @@ namespace physgen::truthcube {
 /// What several ranks of a run have.
 struct RanksOfBytes {
   int count = 1;
-  std::size_t cut = 0;  ///< the finest so many levels are cut: fem::levels_cut_by_solver()
-  int cells = 0;        ///< of a side of the cube, of which a rank makes the layers that it needs; 0: of another mesh
+  std::size_t cut = 0;      ///< the finest so many levels are cut: fem::levels_cut_by_solver()
+  int cells = 0;            ///< of a side of the cube; 0: of another mesh
+  bool has_layers = false;  ///< a rank makes lists of the cube's layers that it needs, and not of the whole
 };
 
 /// Bytes of the rank that has most: of its arrays, to 10 % of what the solver says of a cube then, and of its lists. Of

@@ -141,8 +141,9 @@ RunBytes RanksOfRun::bytes_of_each(const Options& options, const std::vector<Lev
                                    const RunArrays& arrays, const RunBytes& of_one) const {
   if (!are_several()) return of_one;
   const bool has_layers = levels_without_lists(options, counts) > 0;
-  return bytes_of_rank(counts, options.solver, arrays,
-                       {ranks_.count(), levels_cut(options, counts), has_layers ? options.cells : 0});
+  return bytes_of_rank(
+      counts, options.solver, arrays,
+      {ranks_.count(), levels_cut(options, counts), options.is_cube() ? options.cells : 0, has_layers});
 }
 
 void RanksOfRun::print_parts(const Terminal& terminal) const {

@@ -29,6 +29,9 @@ def a_dry_run_says_what_each_rank_has():
         assert abs(part[6] / wanted - 1) < 0.1, (part, wanted)
     forecast = int(re.search(r"^each of 3 ranks: about (\d+) bytes of the solver, and [0-9.]+ GB more on the host", output, re.M)[1])
     assert abs(forecast / max(part[6] for part in parts) - 1) < 0.1, (forecast, parts)
+    # Where the surface is written, lists are of the whole, and arrays the same.
+    surface = done(0, *command(3, "--cells", "24", "--compress", "0.05", "--output", "surface", "--dry-run", "--out", str(out)))
+    assert f"each of 3 ranks: about {forecast} bytes of the solver" in surface, surface
     # An iteration has six exchanges with multigrid over one level that is cut, and three gathers; each has a message to each neighbour.
     assert output.count("in a PCG iteration: 6 exchanges, 3 gathers") == 1, output
     sent = [list(map(int, line.split()[:4])) for line in output.splitlines() if re.match(r" +\d+( +\d+){3}  \S+$", line)]
