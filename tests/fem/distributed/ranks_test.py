@@ -11,7 +11,7 @@ COUNTED = ("preparing exchanges", "preparing gathers", "exchanges", "gathers", "
 
 def result(done):
     """What a solve ended with, what has crossed, and the kernels that the table lacks."""
-    status, output, errors, _ = done
+    status, output, errors = done
     assert status == 0, f"status {status}: {output}{errors}"
     found = re.match(r"(digest \S+ norms \S+ iterations \d+ status \d+ rz \S+ alpha \S+)(.*)", output)
     assert found, output
@@ -90,7 +90,7 @@ def multigrid_has_the_bits_of_one_process():
 
 def newton(done):
     """The lines that all solves have to print, the steps in them, exchanges and gathers of each step, and lines on chunks and unknown kernels."""
-    status, output, errors, _ = done
+    status, output, errors = done
     assert status == 0, f"status {status}: {output}{errors}"
     lines = output.splitlines()
     beside = ("traffic ", "chunks ", "unknown ")
@@ -209,7 +209,7 @@ def contact_has_the_bits_of_one_process():
             traffic = on_ranks(count, "contact", wanted, "--cells", cells, *options)
             if options:
                 expect_traffic_of_levels(steps, traffic, nested=1, planes=1, cut=2 if "--replicate" in options else 1)
-    status, output, errors, _ = run(program("contact_without_mpi"), "--cells", "8", "--levels", "3", "--planes", "1", "--ordinary", "1")
+    status, output, errors = run(program("contact_without_mpi"), "--cells", "8", "--levels", "3", "--planes", "1", "--ordinary", "1")
     assert status != 0 and "some levels have planes, and others have none; give a group of them for each level" in errors, output + errors
 
 
@@ -280,7 +280,7 @@ def multigrid_in_newton_has_the_bits_of_one_process():
     rows = run(program("nested_newton_without_mpi"), "--rows", "1")[1].splitlines()
     for row in ("SymmetricProduct 3 dx reads others", "RestrictResidual 4 df reads others"):  # what they read of others is poisoned
         number = next(line.split()[0] for line in rows if line.endswith(row))
-        status, output, errors, _ = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
+        status, output, errors = ranks(2, "nested_newton", "--cells", "12", "--replicate", "300", "--without", number)
         assert status == 0 and re.search(r"\brz -?nan\b", output) and "result status 0" not in output, f"without {row}: {output}{errors}"
 
 

@@ -11,12 +11,12 @@ def compare(cases):
     """All that the solver of a scene hands out is that of one process, on every rank."""
     for cells, counts, *options in cases:
         options = "--cells", cells, *options
-        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--ordinary", "1")
+        status, wanted, errors = run(program("solver_on_ranks"), *options, "--ordinary", "1")
         assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
         assert (" coarser " in wanted) == ("level 1" in wanted), wanted
         print(options, wanted)
         for count in counts:
-            status, found, errors, _ = ranks(count, "solver_on_ranks", *options)
+            status, found, errors = ranks(count, "solver_on_ranks", *options)
             assert status == 0 and found == wanted, f"{count} ranks: {found}{errors}"
 
 
@@ -53,7 +53,7 @@ def what_an_iteration_sends_is_what_newton_steps_send_for_each():
                                    ("20", 2, "--preconditioner", "block-jacobi")):
         options = "--cells", cells, *options
         wanted = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
-        status, output, errors, _ = ranks(count, "solver_on_ranks", *options, "--iteration", "1")
+        status, output, errors = ranks(count, "solver_on_ranks", *options, "--iteration", "1")
         lines = output.splitlines()
         assert status == 0 and [line for line in lines if not line.startswith("traffic ")] == wanted.splitlines(), output + errors
         of_one = list(map(int, re.findall(r"\d+", lines[0])))
@@ -98,7 +98,7 @@ def the_solver_of_several_gpus_has_the_bits_of_one():
             ("12", "--preconditioner", "block-jacobi", "--patches", "1"),
             ("8", "--patches", "1")):  # ranks without nodes
         options = "--cells", cells, *options
-        status, wanted, errors, _ = run(program("solver_on_ranks"), *options, "--device", "cuda")
+        status, wanted, errors = run(program("solver_on_ranks"), *options, "--device", "cuda")
         assert status == 0 and wanted.count("status 0") == 2 and wanted.count("stresses") == 2, wanted + errors
         print(options, wanted)
         on_cpu = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
@@ -106,7 +106,7 @@ def the_solver_of_several_gpus_has_the_bits_of_one():
             pairs = list(zip(numbers(wanted, name), numbers(on_cpu, name)))
             assert len(pairs) == 2 and all(abs(a - b) <= 1e-5 * abs(b) for a, b in pairs), (name, pairs)
         for count, nccl, environment in ways:
-            status, found, errors, _ = ranks(count, "solver_on_ranks", *options, "--device", "cuda", "--nccl", nccl, environment=environment)
+            status, found, errors = ranks(count, "solver_on_ranks", *options, "--device", "cuda", "--nccl", nccl, environment=environment)
             assert status == 0 and found == wanted, f"{count} ranks, NCCL {nccl}, {environment}: {found}{errors}"
 
 

@@ -19,24 +19,23 @@ def skip_below(count):
 
 
 def digest(done):
-    status, output, errors, _ = done
+    status, output, errors = done
     assert status == 0, f"status {status}: {output}{errors}"
     return re.match(r"digest \S+ square \S+ node \S+ steps \S+", output).group(0)
 
 
 def succeeds(done):
-    status, output, errors, _ = done
+    status, output, errors = done
     print(output + errors)
     assert status == 0, f"status {status}: {output}{errors}"
     return output + errors
 
 
 def fails(done, *texts):
-    status, output, errors, seconds = done
+    status, output, errors = done
     assert status != 0, f"status 0: {output}{errors}"
     for text in texts:
         assert text in errors, f"'{text}' is not in: {errors}"
-    assert seconds < 30, done
 
 
 def have_the_bits_of_the_host(counts, environment):
@@ -82,7 +81,7 @@ def a_row_that_is_left_out_is_missed_on_gpus():
     """So stale ghosts are poisoned on devices, too."""
     skip_below(1)
     for row in ("0", "2", "6"):
-        status, output, errors, _ = ranks(3, "graphs_gpu", "--seeds", "0", "24", "--most", "9000", "--without", row,
+        status, output, errors = ranks(3, "graphs_gpu", "--seeds", "0", "24", "--most", "9000", "--without", row,
                                           environment={"PHYSGEN_SHARE_GPU": "1"})
         assert status != 0, f"without row {row} of the table nothing differs: {output}{errors}"
 

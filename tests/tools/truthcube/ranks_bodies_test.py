@@ -52,7 +52,7 @@ def a_mesh_of_ones_own_has_the_files_of_one_process():
         assert both[0] != both[1], "the order does nothing"
         if name == "two":  # the order of another mesh, which all ranks read
             shutil.copy(FOLDER / "one_metis" / "order.h5", found / "order.h5")
-            status, _, errors, _ = run(*command(2, *words, "--compress", "0.03", "0.09", "--restart", "--out", str(found)))
+            status, _, errors = run(*command(2, *words, "--compress", "0.03", "0.09", "--restart", "--out", str(found)))
             assert status == 1 and len(re.findall("order.h5: this order belongs to another mesh, of 3375 nodes and .* tets; give the --mesh", errors)) == 1, errors
 
 
@@ -101,7 +101,7 @@ def a_case_that_one_rank_cannot_read_ends_all():
     words = (TRUTHCUBE, *SCENE, "--case", "c.json", "--preconditioner", "block-jacobi")
     for other, said in (("without", r'rank 1 on \S+ has another error in its command: "[^"]*c.json[^"]*", and rank 0 has "none"'),
                         ("changed", r"rank 1 on \S+ has another case: ")):
-        found, _, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", "-wdir", str(FOLDER / "with"), *words, ":", "-n", "1", "-wdir", str(FOLDER / other), *words)
+        found, _, errors = run(MPIRUN, "--oversubscribe", "-n", "1", "-wdir", str(FOLDER / "with"), *words, ":", "-n", "1", "-wdir", str(FOLDER / other), *words)
         assert found == 1 and len(re.findall(said, errors)) == 1, (found, errors)
 
 
@@ -114,7 +114,7 @@ def a_mesh_that_one_rank_cannot_read_ends_all():
     words = (TRUTHCUBE, *SCENE, "--mesh", "m.msh", "--preconditioner", "block-jacobi", "--compress", "0.05", "--out", "out")
     for other, said in (("lacks", r"rank 1 of 2 on \S+: cannot read the mesh m.msh: No such file or directory; each rank reads it, so put it where"),
                         ("other", r'rank 1 on \S+ has another mesh: "\d+", and rank 0 has "\d+"')):
-        found, _, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", "-wdir", str(FOLDER / "has"), *words, ":", "-n", "1", "-wdir", str(FOLDER / other), *words)
+        found, _, errors = run(MPIRUN, "--oversubscribe", "-n", "1", "-wdir", str(FOLDER / "has"), *words, ":", "-n", "1", "-wdir", str(FOLDER / other), *words)
         assert found == 1 and len(re.findall(said, errors)) == 1, (found, errors)
         assert not any((FOLDER / name / "out" / "checkpoint.h5").exists() for name in ("has", other))
 

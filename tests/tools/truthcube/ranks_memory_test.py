@@ -49,7 +49,7 @@ def a_cube_is_refused_by_what_its_ranks_take():
     words = ("--cells", "128", "--compress", "0.05", "--out", str(FOLDER / "large"))
     taken = []
     for name, words in ((r"a cube of 128\^3 cells", (TRUTHCUBE, *SCENE, *words)), (r"a cube of 128\^3 cells on each of 2 ranks", command(2, *words))):
-        found, output, errors, _ = run("bash", "-c", 'ulimit -v 6000000 && exec "$@"', "bash", *words)
+        found, output, errors = run("bash", "-c", 'ulimit -v 6000000 && exec "$@"', "bash", *words)
         said = re.findall(name + r" takes [0-9.]+ GB \((\d+) bytes\), and this machine has 6.14 GB; ", errors)
         assert found == 1 and len(said) == 1 and not (FOLDER / "large").exists(), (found, output, errors)
         taken.append(int(said[0]))

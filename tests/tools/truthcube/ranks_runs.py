@@ -21,7 +21,7 @@ def command(ranks, *words):
 
 def done(status, *words):
     """The output of a command, which ends with this status."""
-    found, output, errors, _ = run(*words)
+    found, output, errors = run(*words)
     assert found == status, f"status {found} of {words}: {output}{errors}"
     return output
 

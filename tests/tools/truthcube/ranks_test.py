@@ -67,15 +67,15 @@ def what_several_ranks_do_not_have_is_refused():
             (2, ("--scene", "quasistatic", "--plates", "contact"), "requires --plates held"),
             (2, ("--scene", "quasistatic", "--preconditioner", "schwarz"), "cannot take --preconditioner schwarz"),
             (2, ("--scene", "quasistatic", "--cels", "3"), "--cels")):
-        found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, *words, "--out", str(out))
+        found, output, errors = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, *words, "--out", str(out))
         assert found == (status or found) != 0 and not output and not out.exists(), (words, found, output, errors)
         assert len(re.findall(said, errors)) == 1, (words, errors)
     for cells in ("2", "3"):  # whose one level multigrid inverts
-        found, _, errors, _ = run(*command(2, "--cells", cells, "--compress", "0.1", "--out", str(out)))
+        found, _, errors = run(*command(2, "--cells", cells, "--compress", "0.1", "--out", str(out)))
         assert found == 1 and len(re.findall("several ranks do not have multigrid over one level of at most 125 nodes, which is inverted as a whole; take more cells or another preconditioner, or solve in one process", errors)) == 1, (found, errors)
         assert not any(out.iterdir()), list(out.iterdir())
     case = pathlib.Path(__file__).parents[3] / "tools" / "examples" / "softbody" / "case.json"
-    found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, "--case", str(case))
+    found, output, errors = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, "--case", str(case))
     assert found == 1 and not output and len(re.findall("do not have --scene everything; write --scene quasistatic", errors)) == 1, errors
 
 
@@ -83,7 +83,7 @@ def ranks_with_other_options_are_refused():
     """Options are those of all ranks; both are said, also where one rank alone would refuse its own, or print its help."""
     words = (TRUTHCUBE, *SCENE, "--compress", "0.05", "--cells", "8")
     for other in (("--cells", "10"), ("--cels", "10"), ("--help",)):
-        found, output, errors, _ = run(MPIRUN, "--oversubscribe", "-n", "1", *words, ":", "-n", "1", TRUTHCUBE, *SCENE, *other)
+        found, output, errors = run(MPIRUN, "--oversubscribe", "-n", "1", *words, ":", "-n", "1", TRUTHCUBE, *SCENE, *other)
         assert found == 1 and not output, (found, output, errors)
         said = re.findall(r"rank 0 of 2 on \S+: rank 1 on \S+ has another command: \"([^\"]*)\", and rank 0 has \"([^\"]*)\"; start", errors)
         assert len(said) == 1 and said[0][0].endswith(" ".join(other)) and said[0][1].endswith("--cells 8"), errors
@@ -96,7 +96,7 @@ def ranks_that_read_other_checkpoints_are_refused():
     restart = (TRUTHCUBE, *SCENE, "--cells", "8", "--compress", "0.05", "0.1", "--out", "out", "--restart")
     for other, said in (("two", "step 2, at 0.1"), ("near", "step 1, at 0.05")):
         words = [("-n", "1", "-wdir", str(FOLDER / name), *restart) for name in ("one", other)]
-        found, output, errors, _ = run(MPIRUN, "--oversubscribe", *words[0], ":", *words[1])
+        found, output, errors = run(MPIRUN, "--oversubscribe", *words[0], ":", *words[1])
         assert found == 1 and "compression 0.1" not in output, (found, output, errors)
         both = rf'rank 1 on \S+ has another checkpoint in out: "{said}[^"]*", and rank 0 has "step 1, at 0.05'
         assert len(re.findall(both, errors)) == 1, errors
@@ -265,7 +265,7 @@ def a_rank_that_is_killed_in_a_write_leaves_whole_files():
 def an_error_of_the_rank_that_writes_ends_all():
     """A folder that another run writes is said once, with the rank."""
     process, out = started()
-    found, _, errors, _ = run(*command(2, "--cells", "16", "--compress", "0.05", "--out", str(out)))
+    found, _, errors = run(*command(2, "--cells", "16", "--compress", "0.05", "--out", str(out)))
     process.kill()
     process.communicate()
     assert found != 0 and len(re.findall(r"rank 0 of 2 on \S+: .*another", errors)) == 1, errors
