@@ -1,6 +1,7 @@
 // External forces: reactions that balance them, and a bar pulled and pressed by its end face, to its limit load; and
 // increments that are too large for Newton's method.
 #include <fem/mesh/boundary.h>
+#include <fem/mesh/graded_cube.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -225,6 +226,30 @@ TEST(Bisection, reaches_in_parts_what_newtons_method_does_not_reach_at_once) {
   EXPECT_EQ(parts->load(), 0.2);
   EXPECT_LE(largest_distance(parts->positions(), whole->positions()), 1e-9 * side);
   EXPECT_NEAR(result.energy, at_once.energy, 1e-9 * at_once.energy);
+}
+
+/// Flat cells at bonded faces: the linear step of the whole increment makes volumes of patches negative.
+TEST(Bisection, comes_behind_a_part_of_the_first_step_that_turns_nothing_over) {
+  constexpr Index cells = 8;
+  auto levels = make_cube_levels(cells, side, true, cells);
+  ASSERT_EQ(levels.size(), 1u);
+  MeshLevel& level = levels.front();
+  grade_cube(level.rest, cells, side, 1.8);
+  for (const Point& x : level.rest)
+    level.fixed[static_cast<std::size_t>(&x - level.rest.data())] = x[2] == 0 || x[2] == side ? 7 : 0;
+  const SolverSettings settings = own_settings("neo-hookean", 0.4999);
+  const auto at_once = make_solver(levels, pressing(level), settings),
+             slowly = make_solver(levels, pressing(level), settings);
+  std::vector<NewtonStep> steps;
+  const NewtonResult result =
+      at_once->solve_to(0.3, [&](std::size_t, const NewtonStep& step) { steps.push_back(step); });
+  ASSERT_EQ(result.status, NewtonStatus::converged);
+  ASSERT_GE(steps.size(), 2u);
+  EXPECT_GE(steps[0].halvings, 1);
+  EXPECT_GT(steps[0].smallest_J, 0);
+  EXPECT_EQ(steps[1].number, 2);
+  for (const double load : {0.1, 0.2, 0.3}) ASSERT_EQ(slowly->solve_to(load, {}).status, NewtonStatus::converged);
+  EXPECT_LE(largest_distance(at_once->positions(), slowly->positions()), 1e-8 * side);
 }
 
 TEST(Bisection, ends_with_a_reason_at_the_last_load_that_was_reached) {

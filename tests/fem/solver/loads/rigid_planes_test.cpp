@@ -40,6 +40,7 @@ struct State {
 };
 State evaluate(QuasistaticSolver& solver, SolverState state, const std::vector<Point>& positions) {
   state.positions[0] = positions;
+  state.is_equilibrium = true;  // so that none is solved for
   solver.restore(state);
   return {solver.solve_to(state.load, {}).energy, solver.forces(), solver.plane_contacts()};
 }

@@ -27,7 +27,8 @@ struct Risk {
 
 /// Goes along v.step from a.positions to a.trial, and leaves the forces there in a.trial_forces. The step is halved
 /// until the energy falls; before the first halving the system is solved once more with a tangent that is filtered.
-/// @param has_increment whether prescribed components take a.increment in: that step is taken whole
+/// @param has_increment whether prescribed components take a.increment in: that step is taken whole where its energy is
+/// finite, and else a half, a quarter or an eighth of it that turns no tet over; a.increment stays all of it
 /// @param state at a.positions; becomes that at a.trial
 /// @param step its halvings, and whether it was filtered
 /// @param solve_filtered makes v.step anew; returns whether there is one
@@ -55,18 +56,22 @@ template <class On, class Arrays, class Level, class Vectors, class Evaluate, cl
     const bool closer = free_force(next) <= 0.9 * free_force(state);
     const bool may_rise =
         settings.full_steps_first && step.halvings == 0 && risk.is_allowed && !risk.is_taken && next.smallest_ratio > 0;
-    if (finite && (has_increment || !settings.line_search || falls || closer || may_rise)) {
+    const bool goes_far_enough = has_increment ? step.halvings == 0 || next.smallest_ratio > 0
+                                               : !settings.line_search || falls || closer || may_rise;
+    if (finite && goes_far_enough) {
       risk.accept(state, next, has_increment || falls || closer);
       state = next;
       return NewtonStatus::converged;
     }
-    if (has_increment) return NewtonStatus::not_finite;
-    if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
+    if (has_increment) {
+      constexpr int most_halvings = 3;  // the load's increment is halved where this does not do
+      if (step.halvings == most_halvings) return NewtonStatus::not_finite;
+    } else if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
       shorten_pressures(on, a, 0.0);
       if (!solve_filtered()) return NewtonStatus::linear_solver;
       continue;
     }
-    if (step.halvings == settings.most_halvings) return NewtonStatus::no_descent;
+    if (!has_increment && step.halvings == settings.most_halvings) return NewtonStatus::no_descent;
     ++step.halvings;
     length /= 2;
   }

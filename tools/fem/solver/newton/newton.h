@@ -221,8 +221,14 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       forcing = std::max(forcing, 0.02 * settings.tolerance / residual_of(state));
     }
     before = free;
-    has_increment = false;
-    at = load;
+    // Where the step was shortened, the next takes what is left of the increment.
+    has_increment = has_increment && step.halvings > 0;
+    if (has_increment) {
+      on.run(n, ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
+                                 positions, a.increment.view()});
+    } else {
+      at = load;
+    }
     step.residual = residual_of(state);
     step.energy = energy_of(state);
     step.smallest_J = state.smallest_ratio;

@@ -131,8 +131,8 @@ struct AddIncrement {
   }
 };
 
-/// trial = x + length dx; prescribed components go where they are prescribed, to the last bit, where there is an
-/// increment. Returns f . dx, the work that the forces at x would do.
+/// trial = x + length dx; where there is an increment, prescribed components take that part of it, so that after all of
+/// it they are where they are prescribed, to the last bit. Returns f . dx, the work that the forces at x would do.
 template <class PositionView, class ForceView, class StepView, class IncrementView, class ConstraintView,
           class TrialView>
 struct Advance {
@@ -154,7 +154,7 @@ struct Advance {
     for (int k = 0; k < 3; ++k) dx[k] = static_cast<double>(Real(steps[node].dx()[k]));
     dx = detail::free_part<double>(dx, constraints[node]);
     Vector moved = x + dx * length;
-    if (has_increment) moved += Vector(increment[node].dx().get());
+    if (has_increment) moved += Vector(increment[node].dx().get()) * length;
     trial[node].x() = moved;
     return dot3<double>(f, dx);
   }
