@@ -37,9 +37,12 @@ PHYSGEN_FUNCTION inline Vector3<S> cross3(const Vector3<S>& a, const Vector3<S>&
   return {fma(a[1], b[2], -(a[2] * b[1])), fma(a[2], b[0], -(a[0] * b[2])), fma(a[0], b[1], -(a[1] * b[0]))};
 }
 
+// Always inline, as products of matrices below: which functions GCC puts elsewhere depends on what else a file
+// compiles, and a program has one of several files' versions of a kernel.
 /// A x + b
 template <class S>
-PHYSGEN_FUNCTION inline Vector3<S> multiply_add(const Matrix3<S>& A, const Vector3<S>& x, const Vector3<S>& b) {
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline Vector3<S> multiply_add(const Matrix3<S>& A, const Vector3<S>& x,
+                                                                       const Vector3<S>& b) {
   Vector3<S> result;
   PHYSGEN_UNROLL
   for (int r = 0; r < 3; ++r) result[r] = fma(A(r, 0), x[0], fma(A(r, 1), x[1], fma(A(r, 2), x[2], b[r])));
@@ -47,8 +50,9 @@ PHYSGEN_FUNCTION inline Vector3<S> multiply_add(const Matrix3<S>& A, const Vecto
 }
 /// A^T x + b
 template <class S>
-PHYSGEN_FUNCTION inline Vector3<S> transpose_multiply_add(const Matrix3<S>& A, const Vector3<S>& x,
-                                                          const Vector3<S>& b) {
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline Vector3<S> transpose_multiply_add(const Matrix3<S>& A,
+                                                                                 const Vector3<S>& x,
+                                                                                 const Vector3<S>& b) {
   Vector3<S> result;
   PHYSGEN_UNROLL
   for (int c = 0; c < 3; ++c) result[c] = fma(A(0, c), x[0], fma(A(1, c), x[1], fma(A(2, c), x[2], b[c])));
