@@ -23,15 +23,12 @@ LocalSet::LocalSet(Runs runs, int rank, std::vector<index_t> ghosts)
   size_ = std::max(last(), index_t{runs_.ranks() > 1 ? 1 : 0});
 }
 
-index_t LocalSet::global(index_t local) const {
-  if (local < first_ || local >= last()) return -1;
-  if (local < begin_) return ghosts_[static_cast<std::size_t>(local - first_)];
-  if (local < end()) return local - begin_ + runs_.begin(rank_);
-  return ghosts_[static_cast<std::size_t>(local - first_ - owned())];
+index_t LocalSet::global_of_ghost(index_t local) const {
+  if (!is_ghost(local)) return -1;
+  return ghosts_[ghost_number(local)];
 }
 
-index_t LocalSet::local(index_t global) const {
-  if (runs_.owns(rank_, global)) return global - runs_.begin(rank_) + begin_;
+index_t LocalSet::local_of_ghost(index_t global) const {
   const auto found = std::lower_bound(ghosts_.begin(), ghosts_.end(), global);
   if (found == ghosts_.end() || *found != global) return -1;
   return ghost(static_cast<std::size_t>(found - ghosts_.begin()));

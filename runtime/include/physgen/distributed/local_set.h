@@ -33,9 +33,13 @@ class LocalSet {
   [[nodiscard]] std::span<const index_t> ghosts() const { return ghosts_; }
 
   /// @return -1 for an object that stands for none
-  [[nodiscard]] index_t global(index_t local) const;
+  [[nodiscard]] index_t global(index_t local) const {
+    return begin_ <= local && local < end() ? local - begin_ + runs_.begin(rank_) : global_of_ghost(local);
+  }
   /// @return -1 for an object that is not here
-  [[nodiscard]] index_t local(index_t global) const;
+  [[nodiscard]] index_t local(index_t global) const {
+    return runs_.owns(rank_, global) ? global - runs_.begin(rank_) + begin_ : local_of_ghost(global);
+  }
   /// The local number of ghost g.
   [[nodiscard]] index_t ghost(std::size_t g) const {
     const auto number = static_cast<index_t>(g);
@@ -50,6 +54,8 @@ class LocalSet {
   }
 
  private:
+  [[nodiscard]] index_t global_of_ghost(index_t local) const;
+  [[nodiscard]] index_t local_of_ghost(index_t global) const;
   Runs runs_;
   int rank_;
   std::vector<index_t> ghosts_;
