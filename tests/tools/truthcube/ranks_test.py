@@ -262,13 +262,4 @@ def a_rank_that_is_killed_in_a_write_leaves_whole_files():
         expect_whole_files(out)
 
 
-def an_error_of_the_rank_that_writes_ends_all():
-    """A folder that another run writes is said once, with the rank."""
-    process, out = started()
-    found, _, errors = run(*command(2, "--cells", "16", "--compress", "0.05", "--out", str(out)))
-    process.kill()
-    process.communicate()
-    assert found != 0 and len(re.findall(r"rank 0 of 2 on \S+: .*another", errors)) == 1, errors
-
-
 run_and_remove(globals())
