@@ -36,6 +36,17 @@ using Level = LevelOver<Real, Host, StoredAsComputed, AssembledOnMeshes,
 using Levels = std::vector<std::unique_ptr<Level>>;
 using Krylov = scenes::quasistatic_scene::Krylov<Host>;
 
+/// Counts what a host would wait for, if the steps were those of a device.
+struct CountingExecutor : HostExecutor {
+  static inline int waits = 0;
+  void wait() { ++waits; }
+  template <class Array>
+  [[nodiscard]] typename Array::Value value(const Array& array) {
+    ++waits;
+    return HostExecutor::value(array);
+  }
+};
+
 /// A number of each object between -1 and 1.
 float number(index_t object, int k) {
   auto bits = static_cast<std::uint32_t>(object) * 2654435761U + static_cast<std::uint32_t>(k) * 40503U;
@@ -103,7 +114,7 @@ Digest solve(On& on, Levels& levels, Krylov& v, const Options& options, Traffic&
   typename On::Loop loop;
   Digest norms;
   const auto multiply = [&] {
-    const auto state = on.value(v.state);
+    const auto state = v.state.const_view().get(index_t{0});
     for (const double x : {double{state.rz}, double{state.alpha}, double{state.beta}}) norms.add(x);
     on.run(level.nodes(), TurnDirection{v.state.const_view(), level.scales.const_view(), level.correction.const_view(),
                                         level.node_stiffness.const_view(), v.direction.view(), v.product.view()});
@@ -112,6 +123,7 @@ Digest solve(On& on, Levels& levels, Krylov& v, const Options& options, Traffic&
                                level.edges.const_view(), v.direction.const_view(), v.product.view()},
               level.sums);
   };
+  CountingExecutor::waits = 0;
   conjugate_gradients(on, loop, level, v, 1e-6, 300, 0, multiply, [&] {
     options.is_multigrid ? Multigrid::apply(on, levels, 0, settings) : BlockJacobi::apply(on, levels, 0, settings);
   });
@@ -175,24 +187,26 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   for (std::size_t l = 0; l < sums.size(); ++l) levels[l]->sums = std::move(sums[l]);
   arrays.fill(level.edge_stiffness, [](index_t edge) { return stiffness(edge); });
   arrays.fill(krylov.residual, [&](index_t node) { return cube.force(node); });
-  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
+  DistributedExecutor<CountingExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
   const Traffic of_plans = on.traffic();
   Traffic before;
   const Digest norms = solve(on, levels, krylov, options, before);
   const Traffic traffic = on.traffic();
+  const int waits = CountingExecutor::waits;
   Digest digest;
   arrays.each_block(krylov.step, [&](index_t /*first*/, auto view) { add(digest, view); });
   const auto state = on.value(krylov.state);
   const index_t bytes = most_of_ranks(arrays.transport(), traffic.bytes - before.bytes);
   const LocalSet& nodes = arrays.set("level[0].node");
+  const index_t ghosts = most_of_ranks(arrays.transport(), static_cast<index_t>(nodes.ghosts().size()));
   if (!ranks.is_first()) return;
   print(digest, norms, state);
   const auto number_of = [](index_t n) { return static_cast<long long>(n); };
-  std::printf(" prepared %lld %lld solved %lld %lld bytes %lld gathered %lld cut %zu ghosts %zu of %lld",
+  std::printf(" prepared %lld %lld solved %lld %lld bytes %lld gathered %lld cut %zu ghosts %lld waits %d and %d",
               number_of(before.exchanges - of_plans.exchanges), number_of(before.gathers - of_plans.gathers),
               number_of(traffic.exchanges - before.exchanges), number_of(traffic.gathers - before.gathers),
-              number_of(bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut, nodes.ghosts().size(),
-              number_of(nodes.owned()));
+              number_of(bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut, number_of(ghosts), waits,
+              CountingExecutor::waits - waits);
   for (const std::string& kernel : on.unknown_kernels()) std::printf(" unknown %s", kernel.c_str());
   std::printf("\n");
 }

@@ -6,7 +6,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "runtime" / "distributed"))
 from ranks import program, ranks, run, run_case  # noqa: E402
 
-COUNTED = ("preparing exchanges", "preparing gathers", "exchanges", "gathers", "bytes", "gathered bytes", "levels cut", "ghosts", "owned")
+COUNTED = ("preparing exchanges", "preparing gathers", "exchanges", "gathers", "bytes", "gathered bytes", "levels cut", "ghosts", "waits", "waits behind")
 
 
 def result(done):
@@ -15,7 +15,7 @@ def result(done):
     assert status == 0, f"status {status}: {output}{errors}"
     found = re.match(r"(digest \S+ norms \S+ iterations \d+ status \d+ rz \S+ alpha \S+)(.*)", output)
     assert found, output
-    counts = re.match(r" prepared (\d+) (\d+) solved (\d+) (\d+) bytes (\d+) gathered (\d+) cut (\d+) ghosts (\d+) of (\d+)", found.group(2))
+    counts = re.match(r" prepared (\d+) (\d+) solved (\d+) (\d+) bytes (\d+) gathered (\d+) cut (\d+) ghosts (\d+) waits (\d+) and (\d+)", found.group(2))
     return found.group(1), dict(zip(COUNTED, map(int, counts.groups()))) if counts else {}, re.findall(r" unknown (\S+)", output)
 
 
@@ -60,6 +60,8 @@ def multigrid_has_the_bits_of_one_process():
             if count == 1:
                 continue
             assert counts["levels cut"] == 1, counts
+            # The host waits for what a solve ended with, and for nothing inside of it.
+            assert (counts["waits"], counts["waits behind"]) == (0, 1), counts
             # An iteration: the direction of the product; those of four smoothing steps, the interpolated one and the
             # residual that is restricted. Two sums, and the restricted residual, which all ranks are given. The first
             # preconditioning is one without a product.

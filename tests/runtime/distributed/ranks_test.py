@@ -139,6 +139,8 @@ def what_cannot_work_is_refused_with_the_remedy():
     one = [program("relax"), "--cells", "4"]
     both = run(MPIRUN, "--oversubscribe", "-n", "2", *one, "--options", "a", ":", "-n", "1", *one, "--options", "b")
     fails(both, 'rank 2 on ', 'has another option: "b", and rank 0 has "a"; start all ranks with equal programs, options and files')
+    both = run(MPIRUN, "--oversubscribe", "-n", "1", *one, ":", "-n", "1", *one, "--build", "physgen 0.0, compiler of another machine")
+    fails(both, 'rank 1 on ', 'has another build: "physgen 0.0, compiler of another machine", and rank 0 has "physgen ', "equal programs")
     fails(ranks(2, "relax", "--sizes", "1"), "has another list of sets and sizes", "node:15625")
     # The launcher of another MPI starts programs of which each would be rank 0.
     fails(run(program("relax"), environment={"PMI_SIZE": "4"}), "PMI_SIZE=4", "start it with the mpirun of Open MPI")

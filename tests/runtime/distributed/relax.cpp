@@ -9,6 +9,7 @@
 //   --throw R       a kernel throws on rank R
 //   --kill R        rank R is killed before its steps, by a signal that it cannot handle
 //   --options TEXT  must be equal on all ranks
+//   --build TEXT    in place of what tells this build from others
 //   --sizes R       rank R has another mesh
 //   --fail R        rank R and those above find the same error
 //   --near          no edges to far nodes
@@ -99,12 +100,19 @@ void run_by_hand(const Ranks& ranks, const Mesh& mesh, int steps, bool has_table
   run_cut(ranks, arrays, body, steps, false, [&](const auto& use) { arrays.each_block(body.positions, use, 1 << 16); });
 }
 
+std::string build_of(int argc, char** argv) {
+  for (int a = 1; a + 1 < argc; ++a) {
+    if (argv[a] == std::string("--build")) return argv[a + 1];
+  }
+  return physgen::detail::build_of_program();
+}
+
 int run(int argc, char** argv) {
   index_t cells = 24;
   int steps = 20, throws = -1, kill = -1, other = -1, fails = -1;
   bool plain = false, by_hand = false, has_table = true, is_near = false;
   std::string options;
-  const Ranks ranks(argc, argv);
+  const Ranks ranks(argc, argv, build_of(argc, argv));
   for (int a = 1; a < argc; ++a) {
     const std::string what = argv[a];
     if (what == "--plain")
@@ -133,6 +141,8 @@ int run(int argc, char** argv) {
       fails = std::atoi(argv[++a]);
     else if (what == "--options")
       options = argv[++a];
+    else if (what == "--build")
+      ++a;
     else
       throw Error("there is no option " + what + "; see the head of relax.cpp");
   }
