@@ -11,6 +11,10 @@ Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest, s
                    std::span<const std::array<double, 9>> stresses, Strain strain) {
   Fields fields;
   const auto nodes = static_cast<std::size_t>(mesh.nodes);
+  fields.displacement.reserve(3 * nodes);
+  fields.stress.reserve(6 * mesh.tets.size());
+  fields.von_mises.reserve(mesh.tets.size());
+  fields.volume_ratio.reserve(mesh.tets.size());
   for (std::size_t n = 0; n < nodes; ++n) {
     for (std::size_t k = 0; k < 3; ++k) fields.displacement.push_back(positions[n][k] - rest[n][k]);
   }

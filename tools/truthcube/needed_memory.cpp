@@ -2,6 +2,8 @@
 
 #include <physgen/error.h>
 
+#include <algorithm>
+
 #include "memory.h"
 
 namespace physgen::truthcube {
@@ -46,7 +48,9 @@ NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes, int ra
 
 void NeededMemory::require(const Options& options, const DeviceStart& device) const {
   if (options.solver.device != fem::Device::cuda || are_several_) {  // the arrays of ranks begin on the host
-    require_memory(who_, ranks_ * (bytes_.solver + bytes_.lists), "this machine", host_memory(), remedy_);
+    // Lists go before the first step is written.
+    const std::int64_t beside = std::max(ranks_ * bytes_.lists, ranks_ * bytes_.meshes + bytes_.results);
+    require_memory(who_, ranks_ * bytes_.solver + beside, "this machine", host_memory(), remedy_);
     return;
   }
   require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);

@@ -68,6 +68,11 @@ RunBytes bytes_of_rank(const std::vector<LevelCounts>& levels, const fem::Solver
   bytes.solver += bytes.stresses;  // which a rank has from the beginning
   bytes.levels.front() += bytes.stresses;
   bytes.stresses = 0;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const bool has_lists = !ranks.has_layers || l >= ranks.cut;
+    bytes.meshes += has_lists ? bytes_of_mesh(levels[l]) : bytes_of_whole(levels[l]);
+  }
+  if (ranks.writes) bytes.results = bytes_of_results(levels);
   if (!ranks.has_layers) {
     bytes.lists = bytes_of_run(levels, settings, arrays).lists;
     return bytes;

@@ -14,10 +14,12 @@ struct RanksOfBytes {
   std::size_t cut = 0;      ///< the finest so many levels are cut: fem::levels_cut_by_solver()
   int cells = 0;            ///< of a side of the cube; 0: of another mesh
   bool has_layers = false;  ///< a rank makes lists of the cube's layers that it needs, and not of the whole
+  bool writes = false;      ///< whether the first rank writes what all have
 };
 
-/// Bytes of the rank that has most: of its arrays, to 10 % of what the solver says of a cube then, and of its lists. Of
-/// another mesh nothing is known of ghosts, so that its arrays are those of what a rank owns: it has more.
+/// Bytes of the rank that has most: of its arrays, to 10 % of what the solver says of a cube then, of its lists, and
+/// of what the first has besides while it writes. Of another mesh nothing is known of ghosts, so that its arrays are
+/// those of what a rank owns: it has more.
 [[nodiscard]] RunBytes bytes_of_rank(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
                                      RunArrays arrays, const RanksOfBytes& ranks);
 

@@ -57,6 +57,7 @@ RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(rank
   transport_ = make_transport(ranks);
   const std::vector<std::string> machines = texts_of_all(ranks.host());
   on_this_machine_ = static_cast<int>(std::ranges::count(machines, ranks.host()));
+  is_beside_first_ = machines.front() == ranks.host();
   const std::string own = ranks.host() + " " + allowed_set();
   const auto sharing = static_cast<int>(std::ranges::count(texts_of_all(own), own));
   if (options.threads == 0 && std::getenv("OMP_NUM_THREADS") == nullptr) {
@@ -105,8 +106,12 @@ void RanksOfRun::print_table(const Terminal& terminal, const std::string& head, 
 }
 
 void RanksOfRun::print_forecast(const RunBytes& of_each, const Terminal& terminal) const {
-  terminal.line("each of %d ranks: about %lld bytes of the solver, and %s more on the host for its set-up",
-                ranks_.count(), static_cast<long long>(of_each.solver), gigabytes(of_each.lists).c_str());
+  const std::string writing =
+      of_each.results == 0 ? ""
+                           : "; the first has " + std::to_string(of_each.results) + " bytes of a step that it writes";
+  terminal.line("each of %d ranks: about %lld bytes of the solver, and %s more on the host for its set-up%s",
+                ranks_.count(), static_cast<long long>(of_each.solver), gigabytes(of_each.lists).c_str(),
+                writing.c_str());
 }
 
 std::int64_t RanksOfRun::free_on_gpu() const {
@@ -141,9 +146,9 @@ RunBytes RanksOfRun::bytes_of_each(const Options& options, const std::vector<Lev
                                    const RunArrays& arrays, const RunBytes& of_one) const {
   if (!are_several()) return of_one;
   const bool has_layers = levels_without_lists(options, counts) > 0;
-  return bytes_of_rank(
-      counts, options.solver, arrays,
-      {ranks_.count(), levels_cut(options, counts), options.is_cube() ? options.cells : 0, has_layers});
+  return bytes_of_rank(counts, options.solver, arrays,
+                       {ranks_.count(), levels_cut(options, counts), options.is_cube() ? options.cells : 0, has_layers,
+                        !options.out.empty() && is_beside_first_});
 }
 
 void RanksOfRun::print_parts(const Terminal& terminal) const {

@@ -80,6 +80,7 @@ class RanksOfRun {
   const Ranks& ranks_;
   std::unique_ptr<Transport> transport_;
   int on_this_machine_ = 1;
+  bool is_beside_first_ = true;                            ///< on the machine of the first rank, which writes
   std::optional<index_t> replicated_;                      ///< as make_solver_on_ranks() takes it
   [[maybe_unused]] fem::SolverOnRanks* solver_ = nullptr;  ///< in builds that have it
 };

@@ -16,6 +16,8 @@ struct RunBytes {
   std::vector<std::int64_t> levels;  ///< of each level that the solver uses; their sum is `solver`
   std::int64_t stresses = 0;         ///< in the same memory while a step is written
   std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
+  std::int64_t meshes = 0;           ///< of these what stays
+  std::int64_t results = 0;          ///< of all ranks, on the first of several while it writes a step
 };
 /// The choices that decide a run's arrays, beside its settings.
 struct RunArrays {

@@ -205,8 +205,8 @@ void run_on_ranks(const Ranks& ranks, const Options& options) {
   std::printf(" prepared %lld %lld solved %lld %lld bytes %lld gathered %lld cut %zu ghosts %lld waits %d and %d",
               number_of(before.exchanges - of_plans.exchanges), number_of(before.gathers - of_plans.gathers),
               number_of(traffic.exchanges - before.exchanges), number_of(traffic.gathers - before.gathers),
-              number_of(bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut, number_of(ghosts), waits,
-              CountingExecutor::waits - waits);
+              number_of(bytes), number_of(traffic.gathered_bytes - before.gathered_bytes), cut, number_of(ghosts),
+              waits, CountingExecutor::waits - waits);
   for (const std::string& kernel : on.unknown_kernels()) std::printf(" unknown %s", kernel.c_str());
   std::printf("\n");
 }

@@ -14,9 +14,10 @@ def a_dry_run_says_what_each_rank_has():
     parts = [list(map(int, line.split()[:8])) for line in output.splitlines() if re.match(r" +\d+( +\d+){7}  ", line)]
     print(output)
     assert [part[0] for part in parts] == [0, 1, 2], output
-    nodes, ghosts, tets = (sum(part[k] for part in parts) for k in (1, 2, 3))
+    nodes, tets = (sum(part[k] for part in parts) for k in (1, 3))
     assert (nodes, tets) == (25 ** 3, 6 * 24 ** 3), (nodes, tets)
-    assert 4 * 25 ** 2 <= ghosts <= 10 * 25 ** 2 and min(part[4] for part in parts) > 0, parts  # about two planes at each side of a cut
+    for part, sides in zip(parts, (1, 2, 1)):  # of a cut
+        assert sides * 25 ** 2 <= part[2] <= sides * 2.35 * 25 ** 2 and part[4] > 0, parts
     assert [part[5] for part in parts] == [1, 2, 1], "neighbours"
     # Arrays are those of what a rank has, and of the coarser meshes, which all have; the forecast is made before there are parts.
     levels = [list(map(int, line.split())) for line in output.splitlines() if re.match(r" +\d+( +\d+){4}$", line)]
@@ -29,6 +30,8 @@ def a_dry_run_says_what_each_rank_has():
         assert abs(part[6] / wanted - 1) < 0.1, (part, wanted)
     forecast = int(re.search(r"^each of 3 ranks: about (\d+) bytes of the solver, and [0-9.]+ GB more on the host", output, re.M)[1])
     assert abs(forecast / max(part[6] for part in parts) - 1) < 0.1, (forecast, parts)
+    # Where the first rank writes, it has vectors of all objects: 136 bytes for each tet and node, and 48 for each node of coarser meshes.
+    assert f"; the first has {136 * (6 * 24 ** 3 + 25 ** 3) + 48 * (13 ** 3 + 7 ** 3 + 4 ** 3)} bytes of a step that it writes\n" in output, output
     # Where the surface is written, lists are of the whole, and arrays the same.
     surface = done(0, *command(3, "--cells", "24", "--compress", "0.05", "--output", "surface", "--dry-run", "--out", str(out)))
     assert f"each of 3 ranks: about {forecast} bytes of the solver" in surface, surface
@@ -42,6 +45,17 @@ def a_dry_run_says_what_each_rank_has():
     assert json.loads((out / "run.json").read_text())["bytes"] == sum(part[6] for part in parts), parts
     again = done(0, *command(3, "--cells", "24", "--compress", "0.05", "0.1", "--dry-run", "--restart", "--beads", "none.csv", "--out", str(out)))
     assert "compression" not in again and " machine" in again, again
+
+
+def ghosts_are_two_planes_of_nodes_at_most():
+    """At each side of a cut, of volumes by tets. One plane is what products read. A coarse edge, of the next mesh, which all ranks have, is
+    computed from fine edges that are up to a plane farther (level.edge_term_entries), each of which comes with its tets (edge_tet_entries).
+    Patches add a third of a plane, since fine edges come with theirs, too (edge_patch_entries)."""
+    output = done(0, *command(2, "--cells", "48", "--volume", "tets", "--compress", "0.05", "--dry-run"))
+    assert "that it writes" not in output, output
+    ghosts = [int(line.split()[2]) for line in output.splitlines() if re.match(r" +\d+( +\d+){7}  ", line)]
+    print("planes", [number / 49 ** 2 for number in ghosts])
+    assert len(ghosts) == 2 and all(49 ** 2 <= number <= 2 * 49 ** 2 for number in ghosts), ghosts
 
 
 def a_cube_is_refused_by_what_its_ranks_take():

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 #include <truthcube/arrays.h>
+#include <truthcube/fields.h>
 #include <truthcube/run_bytes.h>
 
 #include <numeric>
@@ -271,6 +272,21 @@ TEST(Sizes, of_lists_contain_the_meshes_of_all_levels) {
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
   EXPECT_GT(bytes_of_run(counts, {}).lists, meshes);
+}
+
+TEST(Sizes, of_results_are_those_of_the_vectors_that_hold_them) {
+  const auto levels = levels_of(4, VolumeTreatment::tets);
+  const fem::MeshLevel& finest = levels.front();
+  const std::vector<std::array<double, 9>> stresses(finest.mesh.tets.size(), {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  const Fields fields = make_fields(finest.mesh, finest.rest, finest.rest, stresses, Strain::finite);
+  std::size_t numbers = 9 * stresses.size() + 6 * finest.rest.size();  // stresses, positions and forces
+  for (const std::vector<double>* field :
+       {&fields.displacement, &fields.pressure, &fields.stress, &fields.von_mises, &fields.volume_ratio}) {
+    numbers += field->capacity();
+  }
+  numbers += finest.rest.size();                                                    // volumes of pressures
+  for (const fem::MeshLevel& level : levels) numbers += 2 * 3 * level.rest.size();  // for a checkpoint
+  EXPECT_EQ(bytes_of_results(count_levels(levels)), static_cast<std::int64_t>(numbers * sizeof(double)));
 }
 
 }  // namespace
