@@ -9,7 +9,7 @@ import subprocess
 import time
 
 from ranks_runs import FOLDER, MPIRUN, SCENE, TRUTHCUBE, command, done, expect_same, record, run_and_remove
-from ranks import ENVIRONMENT, run  # behind ranks_runs, which says where it is
+from ranks import ENVIRONMENT, SECONDS, run  # behind ranks_runs, which says where it is
 
 MANY = [f"{0.001 * k:g}" for k in range(1, 300)]  # more steps than end before they are ended
 
@@ -17,7 +17,7 @@ MANY = [f"{0.001 * k:g}" for k in range(1, 300)]  # more steps than end before t
 def expect_no_process_left():
     """Of those that this test has started, whose environment says so."""
     mine = f"PHYSGEN_STARTED_BY={os.getpid()}".encode()
-    until = time.monotonic() + 30
+    until = time.monotonic() + SECONDS
     while True:
         left = []
         for entry in pathlib.Path("/proc").iterdir():
@@ -43,7 +43,7 @@ def started(*words):
     """A run of steps without end, which has written its first into the folder that is the last word."""
     process = subprocess.Popen((*words, "--compress", *MANY, "--out", str(FOLDER / "out")), env=ENVIRONMENT, text=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    until = time.monotonic() + 60
+    until = time.monotonic() + SECONDS
     while not (FOLDER / "out" / "checkpoint.h5").exists():
         assert time.monotonic() < until and process.poll() is None, process.communicate()
         time.sleep(0.02)
@@ -78,7 +78,7 @@ def a_full_disk_of_the_rank_that_writes_ends_all():
     process = started(*command(2, "--cells", "8"))
     size = (FOLDER / "out" / "cube.vtkhdf").stat().st_size
     resource.prlimit(rank_of(process, 0), resource.RLIMIT_FSIZE, (size, size))
-    _, errors = process.communicate(timeout=60)
+    _, errors = process.communicate(timeout=SECONDS)
     expect_end_of_all(r"rank 0 of 2 on \S+: \S+/cube.vtkhdf: needs \d+ bytes more", process.returncode, "", errors)
     expect_to_go_on()
 
@@ -97,7 +97,7 @@ def a_rank_whose_memory_ends_in_the_set_up_ends_all():
     out = FOLDER / "out"
     words = command(2, "--cells", "48", "--volume", "tets", "--threads", "1", "--compress", "0.05", "--out", str(out))
     process = subprocess.Popen(words, env=ENVIRONMENT, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    until = time.monotonic() + 60
+    until = time.monotonic() + SECONDS
     while not (out / "run.lock").exists():  # behind the forecast, which the limit must not meet
         assert time.monotonic() < until and process.poll() is None, process.communicate()
         time.sleep(0.001)
@@ -109,7 +109,7 @@ def a_rank_whose_memory_ends_in_the_set_up_ends_all():
     while addresses() < before + (4 << 20):
         assert time.monotonic() < until
     resource.prlimit(number, resource.RLIMIT_AS, (addresses(),) * 2)
-    _, errors = process.communicate(timeout=60)
+    _, errors = process.communicate(timeout=SECONDS)
     expect_end_of_all(r'rank 1 of 2 on \S+: the memory ended in its stage "[a-z ]+": [^\n]*\d+ bytes', process.returncode, "", errors)
     assert {path.name for path in out.iterdir()} <= {"run.lock"}, list(out.iterdir())  # which nobody holds
 
@@ -123,7 +123,7 @@ def a_folder_that_another_run_holds_ends_all():
         assert found != 0 and len(re.findall(said, errors)) == 1, (found, output, errors)
         assert holder.poll() is None, holder.communicate()
     holder.send_signal(signal.SIGINT)
-    holder.communicate(timeout=60)
+    holder.communicate(timeout=SECONDS)
     assert holder.returncode == 130, holder.returncode
     expect_no_process_left()
     expect_to_go_on()
