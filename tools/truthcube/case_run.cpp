@@ -226,7 +226,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   std::unique_ptr<fem::EquilibriumSolver> solver;
   const fem::Loading loading = scene.history.at(1);
   if (ranks.are_several()) {
-    solver = ranks.make_solver(arrays_of(options), scene.levels, loading, options.solver);
+    solver = ranks.make_solver(options, scene.levels, loading);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, loading, options.solver);
   } else if (const fem::SceneRow* row = equilibrium_row(options.scene)) {

@@ -76,8 +76,9 @@ double compression_at(double time, double duration, double compression) {
   return compression * part * part * part * (10 - part * (15 - 6 * part));
 }
 
-std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene) {
+std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene, RanksOfRun& ranks) {
   (void)longest_step(options, scene);
+  if (ranks.are_several()) return ranks.make_motion(options, scene.levels, scene.loading, settings_of(options));
   if (is_explicit(options)) {
     return fem::make_explicit_solver(scene.levels.front(), scene.loading, settings_of(options));
   }
@@ -87,7 +88,7 @@ std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, 
 }
 
 Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolver& solver, RunFiles& files,
-                   RunRecord& record, const Terminal& terminal) {
+                   RunRecord& record, const Terminal& terminal, const RanksOfRun& ranks) {
   const Interrupts interrupts;
   const MotionOptions& motion = options.motion;
   const fem::MeshLevel& level = scene.levels.front();
@@ -103,43 +104,50 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     const auto begin = Clock::now();
     Effort effort;
     bool finite = true;
-    for (long long k = 1; k <= steps && finite && effort.status == fem::NewtonStatus::converged && interrupted == 0;
+    bool is_interrupted = false;
+    for (long long k = 1; k <= steps && finite && effort.status == fem::NewtonStatus::converged && !is_interrupted;
          ++k) {
       advance(options, solver, length, 0, effort);
       if (is_explicit(options) && k % steps_between_looks == 0) finite = solver.measure().is_finite();
+      is_interrupted = ranks.any(interrupted != 0);
     }
-    if (interrupted != 0) {
+    if (is_interrupted) {
       terminal.line("interrupted; %zu states are %s", record.steps.size(), files.writes() ? "written" : "done");
       return Outcome::interrupted;
     }
     const fem::MotionMeasure measure = solver.measure();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     const auto stresses = solver.stresses();
-    const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver.positions(), stresses);
-    if (!measure.is_finite() || !suspect.is_finite) {
-      std::fprintf(stderr, "truthcube: the motion is not finite at %g s, time step %lld of this state: %s.\n",
-                   solver.time(), static_cast<long long>(effort.steps), describe(suspect, scene).c_str());
-      if (frame > 1) std::fprintf(stderr, "In the state before, %s.\n", describe(before, scene).c_str());
-      std::fprintf(stderr,
-                   "A time step of %.3g s is too long for tets that are compressed. Try --time-step %.2g, or --scene "
-                   "implicit-dynamics.\n",
-                   length, length / 2);
+    const auto positions = solver.positions(), forces = solver.forces();
+    const auto contacts = solver.plane_contacts();
+    const SuspectTet suspect =
+        ranks.is_first() ? find_suspect(level.mesh, level.rest, positions, stresses) : SuspectTet{};
+    if (!measure.is_finite() || ranks.any(!suspect.is_finite)) {
+      terminal.error("truthcube: the motion is not finite at %g s, time step %lld of this state: %s.", solver.time(),
+                     static_cast<long long>(effort.steps), describe(suspect, scene).c_str());
+      if (frame > 1) terminal.error("In the state before, %s.", describe(before, scene).c_str());
+      terminal.error(
+          "A time step of %.3g s is too long for tets that are compressed. Try --time-step %.2g, or --scene "
+          "implicit-dynamics.",
+          length, length / 2);
       return Outcome::not_converged;
     }
     if (effort.status != fem::NewtonStatus::converged) {
-      std::fprintf(
-          stderr,
+      terminal.error(
           "truthcube: no equilibrium with inertia was found after %g s: time steps were halved down to %.3g s, and %d "
           "Newton steps ended with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or "
-          "more "
-          "--cells.\n",
+          "more --cells.",
           solver.time(), length / (1 << most_halved_steps), effort.newton, effort.residual,
           describe(suspect, scene).c_str());
       return Outcome::not_converged;
     }
+    if (files.writes()) ranks.count(record);
+    if (!ranks.is_first()) {
+      record.steps.emplace_back();
+      continue;
+    }
     const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
-    const auto positions = solver.positions();
-    const double reaction = plate_reaction(scene.plates.upper.nodes.front(), solver.forces(), solver.plane_contacts());
+    const double reaction = plate_reaction(scene.plates.upper.nodes.front(), forces, contacts);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     record.steps.push_back({compression,
                             effort.newton,

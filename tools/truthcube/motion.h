@@ -9,6 +9,7 @@
 #include "options.h"
 #include "outcome.h"
 #include "output/run_json.h"
+#include "ranks_of_run.h"
 #include "run_files.h"
 #include "scene.h"
 #include "terminal.h"
@@ -17,7 +18,8 @@ namespace physgen::truthcube {
 
 /// The solver of a scene that moves.
 /// @throw Error when a time step is longer than what is stable, and as the solvers' makers do
-[[nodiscard]] std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene);
+[[nodiscard]] std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene,
+                                                                      RanksOfRun& ranks);
 
 /// The travel of the plate over the height at a time: 0 to `compression` in the first half of the duration, with
 /// velocity and acceleration 0 at both ends.
@@ -27,6 +29,6 @@ namespace physgen::truthcube {
 /// @param record gets an entry for each state
 /// @throw Error when a file cannot be written
 [[nodiscard]] Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolver& solver,
-                                 RunFiles& files, RunRecord& record, const Terminal& terminal);
+                                 RunFiles& files, RunRecord& record, const Terminal& terminal, const RanksOfRun& ranks);
 
 }  // namespace physgen::truthcube

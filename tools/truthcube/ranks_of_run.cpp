@@ -1,5 +1,6 @@
 #include "ranks_of_run.h"
 
+#include <fem/dynamics/explicit_on_ranks.h>
 #include <fem/solver/levels/layers_of_levels.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 #include <physgen/distributed/cuda/device.h>
@@ -45,8 +46,19 @@ void require_on_ranks(const Options& options) {
   refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
 #endif
   const bool on_cuda = options.solver.device == fem::Device::cuda;
-  if (equilibrium_row(options.scene) == nullptr || (on_cuda && options.scene != SceneKind::quasistatic)) {
-    refuse("--scene " + name_of(scene_kinds, options.scene) + (on_cuda ? " on CUDA" : ""), "write --scene quasistatic");
+  const std::string scene = "--scene " + name_of(scene_kinds, options.scene);
+  if (on_cuda && options.scene != SceneKind::quasistatic) refuse(scene + " on CUDA", "write --scene quasistatic");
+  const fem::Preconditioner preconditioner = options.solver.newton.preconditioner.kind;
+  if (options.scene == SceneKind::everything) refuse(scene, "write --scene quasistatic");
+  if (options.scene == SceneKind::linear_elastic && fem::asks_for(preconditioner, fem::asks::arrays)) {
+    refuse(scene + " --preconditioner " + fem::row_of(preconditioner).name,
+           "take --preconditioner " + fem::preconditioners_without(fem::asks::arrays));
+  }
+  if (options.scene == SceneKind::implicit_dynamics && arrays_of(options) == "everything") {
+    refuse(scene + " with the arrays of the scene everything",
+           "take the cube, of stable-neo-hookean material, in float, without --volume nodes and --plates contact, and "
+           "with --preconditioner " +
+               fem::preconditioners_without(fem::asks::arrays));
   }
 }
 
@@ -121,11 +133,25 @@ std::int64_t RanksOfRun::free_on_gpu() const {
 
 #ifdef PHYSGEN_TRUTHCUBE_HAS_RANKS
 
-std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::string& scene,
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const Options& options,
                                                                 const std::vector<fem::MeshLevel>& levels,
-                                                                const fem::Loading& loading,
-                                                                const fem::SolverSettings& settings) {
-  auto solver = fem::make_solver_on_ranks(ranks_, scene, levels, loading, settings, replicated_);
+                                                                const fem::Loading& loading) {
+  const fem::SolverSettings& settings = options.solver;
+  auto solver = options.scene == SceneKind::linear_elastic
+                    ? fem::make_linear_solver_on_ranks(ranks_, levels, loading, settings, replicated_)
+                    : fem::make_solver_on_ranks(ranks_, arrays_of(options), levels, loading, settings, replicated_);
+  solver_ = solver.get();
+  return solver;
+}
+
+std::unique_ptr<fem::DynamicSolver> RanksOfRun::make_motion(const Options& options,
+                                                            const std::vector<fem::MeshLevel>& levels,
+                                                            const fem::Loading& loading,
+                                                            const fem::DynamicSettings& settings) {
+  const bool is_explicit = options.scene == SceneKind::explicit_dynamics;
+  if (is_explicit) iteration_ = "a time step";
+  auto solver = is_explicit ? fem::make_explicit_solver_on_ranks(ranks_, levels.front(), loading, settings)
+                            : fem::make_implicit_solver_on_ranks(ranks_, levels, loading, settings, replicated_);
   solver_ = solver.get();
   return solver;
 }
@@ -162,7 +188,7 @@ void RanksOfRun::print_parts(const Terminal& terminal) const {
 
 void RanksOfRun::print_iteration(const Terminal& terminal) const {
   const Traffic traffic = solver_->traffic_of_iteration();
-  terminal.line("in a PCG iteration: %lld exchanges, %lld gathers", static_cast<long long>(traffic.exchanges),
+  terminal.line("in %s: %lld exchanges, %lld gathers", iteration_, static_cast<long long>(traffic.exchanges),
                 static_cast<long long>(traffic.gathers));
   print_table(terminal, "     messages        bytes     gathered  sent by",
               {traffic.messages, traffic.bytes, traffic.gathered_bytes}, ranks_.host());
@@ -184,10 +210,15 @@ void RanksOfRun::count(RunRecord& record) const {
 
 #else
 
-std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const std::string& /*scene*/,
+std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const Options& /*options*/,
                                                                 const std::vector<fem::MeshLevel>& /*levels*/,
-                                                                const fem::Loading& /*loading*/,
-                                                                const fem::SolverSettings& /*settings*/) {
+                                                                const fem::Loading& /*loading*/) {
+  throw Error("this build has no solver on several ranks");
+}
+std::unique_ptr<fem::DynamicSolver> RanksOfRun::make_motion(const Options& /*options*/,
+                                                            const std::vector<fem::MeshLevel>& /*levels*/,
+                                                            const fem::Loading& /*loading*/,
+                                                            const fem::DynamicSettings& /*settings*/) {
   throw Error("this build has no solver on several ranks");
 }
 std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,

@@ -1,6 +1,7 @@
 // The ranks of a run, of which the first prints and writes: what they decide together, and the solver of several.
 #pragma once
 
+#include <fem/solver/dynamic_solver.h>
 #include <fem/solver/quasistatic.h>
 #include <physgen/distributed/ranks.h>
 #include <physgen/distributed/transport.h>
@@ -18,7 +19,7 @@
 #include "terminal.h"
 
 namespace physgen::fem {
-class SolverOnRanks;
+class RankReport;
 }  // namespace physgen::fem
 
 namespace physgen::truthcube {
@@ -56,14 +57,18 @@ class RanksOfRun {
   [[nodiscard]] std::int64_t free_on_gpu() const;
 
   /// The solver of several ranks, which print_parts() and count() ask: it lives as long as they are called.
-  [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const std::string& scene,
+  [[nodiscard]] std::unique_ptr<fem::EquilibriumSolver> make_solver(const Options& options,
                                                                     const std::vector<fem::MeshLevel>& levels,
-                                                                    const fem::Loading& loading,
-                                                                    const fem::SolverSettings& settings);
+                                                                    const fem::Loading& loading);
+  /// The same of a body that moves.
+  [[nodiscard]] std::unique_ptr<fem::DynamicSolver> make_motion(const Options& options,
+                                                                const std::vector<fem::MeshLevel>& levels,
+                                                                const fem::Loading& loading,
+                                                                const fem::DynamicSettings& settings);
   /// A line for each rank: its machine, its part of the finest mesh, and its bytes. @pre make_solver()
   void print_parts(const Terminal& terminal) const;
-  /// A line for each rank: what it sends in an iteration of conjugate gradients, some of which this does.
-  /// @pre make_solver()
+  /// A line for each rank: what it sends in an iteration of conjugate gradients, or where there are none in a time
+  /// step, some of which this does. @pre make_solver()
   void print_iteration(const Terminal& terminal) const;
   /// The number of ranks, and what has crossed, of several. @pre make_solver()
   void count(RunRecord& record) const;
@@ -80,9 +85,10 @@ class RanksOfRun {
   const Ranks& ranks_;
   std::unique_ptr<Transport> transport_;
   int on_this_machine_ = 1;
-  bool is_beside_first_ = true;                            ///< on the machine of the first rank, which writes
-  std::optional<index_t> replicated_;                      ///< as make_solver_on_ranks() takes it
-  [[maybe_unused]] fem::SolverOnRanks* solver_ = nullptr;  ///< in builds that have it
+  bool is_beside_first_ = true;        ///< on the machine of the first rank, which writes
+  std::optional<index_t> replicated_;  ///< as make_solver_on_ranks() takes it
+  [[maybe_unused]] const char* iteration_ = "a PCG iteration";
+  [[maybe_unused]] fem::RankReport* solver_ = nullptr;  ///< in builds that have it
 };
 
 }  // namespace physgen::truthcube

@@ -163,9 +163,9 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   std::unique_ptr<fem::EquilibriumSolver> solver;
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
-    dynamic = make_dynamic_solver(options, scene);
+    dynamic = make_dynamic_solver(options, scene, ranks);
   } else if (ranks.are_several()) {
-    solver = ranks.make_solver(arrays, scene.levels, scene.loading, options.solver);
+    solver = ranks.make_solver(options, scene.levels, scene.loading);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
   } else if (arrays != "everything") {
@@ -207,7 +207,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()), ranks.is_first());
   files.write_record(record);
-  if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal);
+  if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal, ranks);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
   return Steps(scene, *solver, files, record, beads, terminal, ranks, tolerance, solve_words(options))
       .run(options.compressions, options.repetitions);

@@ -161,45 +161,6 @@ def newton_by_tets_has_the_bits_of_one_process():
             expect_traffic(steps, on_ranks(count, "newton_by_tets", wanted, "--cells", cells), 1)
 
 
-def explicit_steps_have_the_bits_of_one_process():
-    """Twenty steps of symplectic Euler: energies and momentum of each, displacements, velocities and forces. In each step the displacements
-    cross once, for forces and energies, and two sums are made."""
-    for cells, counts in (("20", (1, 2, 4, 8)), ("3", (4,))):
-        wanted, _, _, _ = newton(run(program("explicit_steps_without_mpi"), "--cells", cells, "--ordinary", "1"))
-        kinetic = [float.fromhex(line.split()[2]) for line in wanted if line.startswith("step kinetic ")]
-        print("\n".join(wanted))
-        assert len(kinetic) == len(set(kinetic)) == 20 and 0 < min(kinetic) and max(kinetic) < 10, wanted
-        assert newton(run(program("explicit_steps_without_mpi"), "--cells", cells))[0] == wanted, "the build without MPI"
-        for count in counts:
-            traffic = on_ranks(count, "explicit_steps", wanted, "--cells", cells)
-            assert len(traffic) == 20 and (count == 1 or all(step == (1, 2) for step in traffic[2:])), traffic
-
-
-def linear_elasticity_has_the_bits_of_one_process():
-    """Two loads of linear elastic bodies: by tets with block Jacobi, and assembled with multigrid. By tets the displacements cross once behind
-    each solve and directions once for each iteration, which has two sums."""
-    for cells, options, counts in (("20", (), (1, 2, 4, 8)), ("3", (), (4,)), ("20", ("--levels", "3"), (2, 3, 8)),
-                                   ("24", ("--levels", "4", "--replicate", "1000"), (2,))):
-        wanted = newton(run(program("linear_elastic_without_mpi"), "--cells", cells, *options, "--ordinary", "1"))[0]
-        print("\n".join(wanted))
-        loads = [list(map(int, re.findall(r"\d+", line)[:2])) for line in wanted if line.startswith("load ")]
-        assert len(loads) == 2 and all(status == 1 and iterations > 3 for iterations, status in loads), wanted
-        assert newton(run(program("linear_elastic_without_mpi"), "--cells", cells, *options))[0] == wanted, "the build without MPI"
-        for count in counts:
-            traffic = on_ranks(count, "linear_elastic", wanted, "--cells", cells, *options)
-            if not options and count > 1:
-                assert traffic[1] == (loads[1][0] + 1, 2 * loads[1][0] + 6), (loads, traffic)
-
-
-def implicit_steps_have_the_bits_of_one_process():
-    """The same of steps of backward Euler, with block Jacobi and with multigrid: also of velocities, and of the kinetic energy of each."""
-    for cells, options, counts in (("20", (), (2, 4)), ("3", (), (4,)), ("20", ("--levels", "3"), (2, 3))):
-        wanted, _ = in_one_process("implicit_steps", cells, *options)
-        assert sum(line.startswith("status 0 kinetic 0x") for line in wanted) == 3, wanted
-        for count in counts:
-            on_ranks(count, "implicit_steps", wanted, "--cells", cells, *options)
-
-
 def contact_has_the_bits_of_one_process():
     """The same of rigid planes that push a body, also where meshes are nested: also of the force and depth of each plane."""
     for cells, options, meshes, counts in (("20", (), 1, (2, 4)), ("3", (), 1, (4,)), ("16", ("--levels", "4"), 2, (3,)),

@@ -2,7 +2,9 @@
 // between plates in two loads, with poisoned ghosts; all that it hands out.
 //
 //   --cells N         along each side (default 12); levels halve them as long as their number is even
-//   --scene NAME      quasistatic where none is given
+//   --levels N        so many of them at most; 1: of irregular tets
+//   --scene NAME      quasistatic where none is given; or linear_elastic, whose --product is assembled or matrix-free
+//   --precision NAME  half, float (where none is given) or double
 //   --percent N       Poisson's ratio (default 45)
 //   --preconditioner  multigrid, block-jacobi or none
 //   --nested 0        on one mesh
@@ -15,51 +17,27 @@
 #include <fem/solver/solvers/scene_solvers.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "newton_runs.h"
+#include "printed_state.h"
 
 namespace {
 
 using namespace physgen;
 using namespace physgen::fem;
 
-std::string word(int argc, char** argv, const std::string& option, const std::string& otherwise) {
-  for (int a = 1; a + 1 < argc; a += 2) {
-    if (argv[a] == option) return argv[a + 1];
-  }
-  return otherwise;
-}
-
-template <std::size_t kCount>
-std::string digest(const std::vector<std::array<double, kCount>>& objects) {
-  Digest digest;
-  for (const auto& object : objects) {
-    for (const double number : object) digest.add(number);
-  }
-  return std::to_string(objects.size()) + " " + digest.text();
-}
-
-void print_traffic(const Ranks& ranks, const char* what, const Traffic& traffic) {
-  if (!ranks.is_first()) return;
-  std::printf("traffic of %s: exchanges %lld messages %lld bytes %lld gathers %lld gathered %lld\n", what,
-              static_cast<long long>(traffic.exchanges), static_cast<long long>(traffic.messages),
-              static_cast<long long>(traffic.bytes), static_cast<long long>(traffic.gathers),
-              static_cast<long long>(traffic.gathered_bytes));
-}
-
 /// The first rank has all values, and others have none.
 void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
   const auto positions = solver.positions(), forces = solver.forces();
   const auto stresses = solver.stresses();
-  std::string text = "load " + std::to_string(solver.load()) + " positions " + digest(positions) + " forces " +
-                     digest(forces) + " stresses " + digest(stresses);
+  std::string text = "load " + std::to_string(solver.load()) + " positions " + digest_of(positions) + " forces " +
+                     digest_of(forces) + " stresses " + digest_of(stresses);
   const auto coarser = solver.coarser_equilibrium();
-  if (coarser) text += " coarser " + digest(coarser->positions) + " forces " + digest(coarser->forces);
+  if (coarser) text += " coarser " + digest_of(coarser->positions) + " forces " + digest_of(coarser->forces);
   const bool has_none = positions.empty() && forces.empty() && stresses.empty() &&
                         (!coarser || (coarser->positions.empty() && coarser->forces.empty()));
   if (has_none == ranks.is_first()) ranks.fail("values are on a wrong rank");
@@ -72,13 +50,17 @@ int main(int argc, char** argv) {
   SolverSettings settings = settings_of_the_cube();
   settings.poissons_ratio = 0.01 * asked(argc, argv, "--percent", 45);
   settings.nested = asked(argc, argv, "--nested", 1) != 0;
-  const std::string preconditioner = word(argc, argv, "--preconditioner", "multigrid");
+  const std::string preconditioner = asked_word(argc, argv, "--preconditioner", "multigrid");
   for (const PreconditionerRow& row : preconditioner_rows) {
     if (preconditioner == row.name) settings.newton.preconditioner.kind = row.kind;
   }
-  if (word(argc, argv, "--device", "cpu") == "cuda") settings.device = Device::cuda;
+  if (asked_word(argc, argv, "--device", "cpu") == "cuda") settings.device = Device::cuda;
   const bool uses_nccl = asked(argc, argv, "--nccl", 1) != 0;
-  const std::string scene = word(argc, argv, "--scene", "quasistatic");
+  if (asked_word(argc, argv, "--product", "assembled") == "matrix-free") settings.newton.product = Product::matrix_free;
+  const std::string precision = asked_word(argc, argv, "--precision", "float");
+  if (precision == "half") settings.precision = TangentPrecision::half;
+  if (precision == "double") settings.precision = TangentPrecision::float64;
+  const std::string scene = asked_word(argc, argv, "--scene", "quasistatic");
   for (const SceneRow& row : equilibrium_scenes()) {
     if (scene != row.name) continue;
     settings.material = row.material;
@@ -87,11 +69,15 @@ int main(int argc, char** argv) {
   const int replicate = asked(argc, argv, "--replicate", 0);
   const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
   return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
-    const Body body = pressed_cube(cells, patches, 16);
+    const Body body = pressed_cube(cells, patches, static_cast<std::size_t>(asked(argc, argv, "--levels", 16)));
+    const DistributedOptions options{.poisons_stale_ghosts = true, .uses_nccl = uses_nccl};
     const auto make = [&]() -> std::unique_ptr<EquilibriumSolver> {
+      if (scene == "linear_elastic") {
+        if (ordinary) return make_linear_solver(body.levels, body.loading, settings);
+        return make_linear_solver_on_ranks(ranks, body.levels, body.loading, settings, replicated(replicate), options);
+      }
       if (ordinary) return make_scene_solver(scene, body.levels, body.loading, settings);
-      return make_solver_on_ranks(ranks, scene, body.levels, body.loading, settings, replicated(replicate),
-                                  {.poisons_stale_ghosts = true, .uses_nccl = uses_nccl});
+      return make_solver_on_ranks(ranks, scene, body.levels, body.loading, settings, replicated(replicate), options);
     };
     auto solver = make();
     const bool tells = asked(argc, argv, "--iteration", 0) != 0 && !ordinary;
@@ -118,5 +104,6 @@ int main(int argc, char** argv) {
       solver = make();
       solver->restore(state);
     }
+    if (!ordinary) print_unknown(ranks, on_ranks());
   });
 }

@@ -46,6 +46,31 @@ def solvers_of_other_scenes_have_the_bits_of_one_process():
         ("16", (2, 4), *by_tets, "--preconditioner", "none", "--replicate", "500")))
 
 
+def linear_elasticity_has_the_bits_of_one_process():
+    """By tets with block Jacobi and without a preconditioner, and assembled with multigrid, in each precision. A solver goes on from the state
+    of another."""
+    linear = "--scene", "linear_elastic"
+    by_tets = *linear, "--product", "matrix-free", "--preconditioner"
+    compare((
+        ("20", (1, 2, 4, 8), *by_tets, "block-jacobi", "--levels", "1"),
+        ("3", (4,), *by_tets, "block-jacobi", "--levels", "1"),
+        ("20", (3,), *by_tets, "block-jacobi", "--precision", "double"),
+        ("12", (2,), *by_tets, "none"),
+        ("20", (1, 2, 3, 8), *linear, "--precision", "half"),
+        ("24", (2,), *linear, "--replicate", "1000", "--restored", "1"),
+        ("24", (3,), *linear, "--replicate", "1000", "--precision", "double"),
+        ("16", (2,), *linear, "--preconditioner", "block-jacobi", "--levels", "1", "--precision", "half")))
+    # Before a solve what an iteration sends is said, which changes no result.
+    for options, sent in (((*linear, "--cells", "20", "--precision", "half"), (6, 3)), ((*by_tets, "block-jacobi", "--cells", "20"), (1, 2))):
+        wanted = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
+        status, output, errors = ranks(2, "solver_on_ranks", *options, "--iteration", "1")
+        lines = output.splitlines()
+        assert status == 0 and [line for line in lines if not line.startswith("traffic ")] == wanted.splitlines(), output + errors
+        exchanges, messages, size, gathers, _ = map(int, re.findall(r"\d+", lines[0]))
+        print(options, lines[0])
+        assert lines[0].startswith("traffic of an iteration") and (exchanges, gathers) == sent and messages == exchanges and size > 0, lines[0]
+
+
 def what_an_iteration_sends_is_what_newton_steps_send_for_each():
     """Before a solve the solver says what an iteration sends. Steps that differ by k iterations differ by k times that; and saying it changes
     no result."""

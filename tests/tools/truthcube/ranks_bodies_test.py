@@ -62,11 +62,13 @@ def a_case_has_the_files_of_one_process():
             "loads": [{"group": "z1", "traction": [0, 30, -400], "curve": "there"}, {"group": "y1", "pressure": 100}, {"gravity": [0, 0, -9.81]}],
             "curves": {"there": [[0, 0], [1, 1], [2, 0.2]]}, "steps": [0.5, 1, 2], "probes": [{"name": "middle", "at": [0.02, 0.03, 0.05]}]}
     has_metis = "this build has no METIS" not in run(TRUTHCUBE, "--mesh", "none.msh", "--order", "metis")[2]
-    for name, box, flags, count in (("plain", Box(13), ("--preconditioner", "block-jacobi"), 2), ("nested", Box(4), ("--refine", "2"), 3)):
+    linear = "--scene", "linear-elastic", "--preconditioner", "block-jacobi"
+    for name, box, flags, count in (("plain", Box(13), (*SCENE, "--preconditioner", "block-jacobi"), 2), ("nested", Box(4), (*SCENE, "--refine", "2"), 3),
+                                    ("linear", Box(13), linear, 3)):
         shuffled(box).write(FOLDER / f"{name}.msh")
         (FOLDER / f"{name}.json").write_text(json.dumps(case | {"mesh": f"{name}.msh"}))
         for order in ("mesh", "metis") if has_metis else ("mesh",):
-            words = (*SCENE, "--case", str(FOLDER / f"{name}.json"), "--order", order, *flags, "--out")
+            words = ("--case", str(FOLDER / f"{name}.json"), "--order", order, *flags, "--out")
             wanted, found = FOLDER / f"{name}_{order}_case", FOLDER / f"{name}_{order}_case_ranks"
             printed = without_times(done(0, TRUTHCUBE, *words, str(wanted)))
             again = done(0, MPIRUN, "--oversubscribe", "-n", str(count), TRUTHCUBE, *words, str(found))

@@ -60,9 +60,11 @@ def what_several_ranks_do_not_have_is_refused():
     out = FOLDER / "refused"
     for status, words, said in (
             (1, ("--scene", "everything"), "several ranks do not have --scene everything; write --scene quasistatic"),
-            (1, ("--scene", "linear-elastic"), "do not have --scene linear-elastic"),
-            (1, ("--scene", "implicit-dynamics"), "do not have --scene implicit-dynamics"),
-            (1, ("--scene", "explicit-dynamics"), "do not have --scene explicit-dynamics"),
+            (1, ("--scene", "linear-elastic", "--preconditioner", "schwarz"), "do not have --scene linear-elastic --preconditioner schwarz; take --preconditioner "),
+            (1, ("--scene", "implicit-dynamics", "--precision", "double"), "do not have --scene implicit-dynamics with the arrays of the scene everything; take the cube, of stable"),
+            (None, ("--scene", "linear-elastic", "--device", "cuda"), "do not have --scene linear-elastic on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
+            (None, ("--scene", "implicit-dynamics", "--device", "cuda"), "do not have --scene implicit-dynamics on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
+            (None, ("--scene", "explicit-dynamics", "--device", "cuda"), "do not have --scene explicit-dynamics on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
             (None, ("--scene", "matrix-free", "--device", "cuda"), "do not have --scene matrix-free on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
             (2, ("--scene", "quasistatic", "--plates", "contact"), "requires --plates held"),
             (2, ("--scene", "quasistatic", "--preconditioner", "schwarz"), "cannot take --preconditioner schwarz"),

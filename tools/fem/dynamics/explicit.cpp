@@ -12,12 +12,16 @@ double stable_time_step(const MeshLevel& level, const DynamicSettings& settings)
   return stable_time_step(level.mesh, level.rest, lame, settings.density);
 }
 
-std::unique_ptr<DynamicSolver> make_explicit_solver(const MeshLevel& level, const Loading& loading,
-                                                    const DynamicSettings& settings) {
+void require_explicit_solver(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings) {
   if (level.mesh.tets.empty()) throw Error("a solver needs a mesh with at least one tet");
   require_rest(0, level);
   require_motion(settings);
   require_plain("the explicit solver", level, loading);
+}
+
+std::unique_ptr<DynamicSolver> make_explicit_solver(const MeshLevel& level, const Loading& loading,
+                                                    const DynamicSettings& settings) {
+  require_explicit_solver(level, loading, settings);
   if (settings.solver.device == Device::cpu) return make_host_explicit_solver(level, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_explicit_solver(level, loading, settings);

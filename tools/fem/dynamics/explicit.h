@@ -11,6 +11,9 @@ namespace physgen::fem {
 [[nodiscard]] std::unique_ptr<DynamicSolver> make_explicit_solver(const MeshLevel& level, const Loading& loading,
                                                                   const DynamicSettings& settings);
 
+/// @throw Error as make_explicit_solver() does, but for a device or memory that is not there
+void require_explicit_solver(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings);
+
 /// With which explicit steps of a body at rest are stable [s]: stable_time_step() of its material.
 [[nodiscard]] double stable_time_step(const MeshLevel& level, const DynamicSettings& settings);
 

@@ -39,13 +39,13 @@ template <class Level>
   return l >= cut && Edges::Space::kind == SpaceKind::cuda && graph.nodes <= EdgeRows::most_nodes;
 }
 
-/// A row of a list, packed, by numbers of all. @param rows whose list it is
+/// A row of a list, packed, by numbers of all. @param list an IncidenceList, or MeshRows @param rows whose list it is
 /// @param elements of the list, for which its codes must do
 /// @param before before(local) is what to add to the number of an element of an entry
 /// @throw Error when they do not, and when the list has no entries as yet
-template <class Packing, class Before>
-[[nodiscard]] auto packed_row_of(const IncidenceList& list, const ListedObjects& rows, index_t elements,
-                                 const char* name, const Before& before) {
+template <class Packing, class List, class Before>
+[[nodiscard]] auto packed_row_of(const List& list, const ListedObjects& rows, index_t elements, const char* name,
+                                 const Before& before) {
   if (elements > Packing::most_elements) {
     throw Error("a level has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
                 std::to_string(Packing::most_elements) + "; use fewer cells");

@@ -84,12 +84,13 @@ inline void coarsen_loading(std::span<const std::array<Index, 2>> parents, Index
          (1 / (1 - 2 * std::min(settings.poissons_ratio, 0.4999)) + (planes ? settings.plane_stiffness : 0.0));
 }
 
-/// The rounding force at a load between 0 and 1.
+/// The rounding force at a load between 0 and 1. @param level whose nodes all have tets, where it has no lists
 [[nodiscard]] inline double rounding_force(const SolverSettings& settings, const MeshLevel& level,
                                            const std::vector<Point>& motion, bool planes, double spacing) {
+  const auto& rows = level.mesh.node_tets.first;
   double farthest = 0;
   for (std::size_t n = 0; n < level.rest.size(); ++n) {
-    if (level.mesh.node_tets.first[n] == level.mesh.node_tets.first[n + 1]) continue;  // no part of the body
+    if (!rows.empty() && rows[n] == rows[n + 1]) continue;  // no part of the body
     for (std::size_t k = 0; k < 3; ++k) {
       farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
     }

@@ -4,12 +4,10 @@
 #include <fem/solver/arrays/node_vectors.h>
 #include <fem/solver/dynamic_solver.h>
 #include <fem/solver/masses.h>
-#include <fem/solver/newton/implicit_step.h>
+#include <fem/solver/solvers/implicit_steps.h>
 #include <fem/solver/solvers/require.h>
-#include <fem/solver/solvers/solver_parts.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -17,28 +15,25 @@ namespace physgen::fem {
 
 /// @tparam Types SolverTypes of solver_types.h, or SceneTypes of scene_types.h
 template <class On, class Types>
-class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Types> {
-  using Parts = SolverParts<On, Types>;
-  using Parts::all_prescribed_;
-  using Parts::arrays_;
-  using Parts::evaluator_;
-  using Parts::linear_;
-  using Parts::loops_;
-  using Parts::moves_;
-  using Parts::on_;
-  using Parts::settings_;
-  using Parts::vectors_;
-  using typename Parts::Arrays;
-  using typename Parts::Space;
+class ImplicitSolverOf final : public DynamicSolver, private ImplicitSteps<On, Types> {
+  using Steps = ImplicitSteps<On, Types>;
+  using Steps::arrays_;
+  using Steps::body_;
+  using Steps::is_moved_;
+  using Steps::linear_;
+  using Steps::load_;
+  using Steps::on_;
+  using Steps::settings_;
+  using Steps::time_;
 
  public:
   ImplicitSolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const DynamicSettings& settings)
-      : Parts(levels, loading, unnested(settings.solver)),
-        damping_(settings.damping),
-        has_planes_(!loading.planes.empty()),
-        is_moved_(has_planes_) {
+      : Steps(levels, loading, unnested(settings.solver)) {
+    const bool has_planes = !loading.planes.empty();
+    is_moved_ = has_planes;
     std::vector<double> masses = lumped_masses(levels.front().mesh, levels.front().rest, settings.density);
-    largest_mass_ = std::ranges::max(masses);
+    body_ = {settings.damping, node_stiffness(settings_, has_planes, arrays_.front()->spacing),
+             std::ranges::max(masses), nodes()};
     for (std::size_t l = 0; l < linear_.size() && !levels[l].is_grid(); ++l) {
       make(linear_[l]->inertia, masses, l == 0);
       if (l + 1 < linear_.size() && !levels[l + 1].is_grid()) {
@@ -48,33 +43,13 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
     on_->wait();
   }
 
-  NewtonResult step(double length, double load) override {
-    require_step(length, load);
-    Arrays& a = *arrays_.front();
-    NewtonSettings newton = settings_.newton;
-    newton.start_load = load_;
-    newton.last_reaction = last_reaction_;
-    const double inertial = largest_mass_ * (1 / length + damping_) / length;
-    newton.rounding_force = rounding_force(node_stiffness(settings_, has_planes_, a.spacing) + inertial,
-                                           largest_coordinate(*on_, a, *linear_.front()), std::size_t(a.nodes()));
-    newton.all_prescribed = all_prescribed_.front();
-    const bool moves = moves_.front() && (is_moved_ || load != load_);
-    const NewtonResult result = implicit_step(*on_, loops_.front(), a, linear_, *vectors_.front(), *evaluator_, newton,
-                                              {length, load, damping_}, moves);
-    if (result.status != NewtonStatus::converged) return result;
-    time_ += length;
-    load_ = load;
-    is_moved_ = false;
-    last_reaction_ = result.reaction;
-    return result;
-  }
-
+  NewtonResult step(double length, double load) override { return Steps::step(length, load); }
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] std::vector<Point> positions() const override { return points(*on_, arrays_.front()->positions); }
   [[nodiscard]] std::vector<Point> velocities() const override { return plain_velocities(*on_, inertia().velocities); }
   void set_positions(std::span<const Point> positions) override {
     require_vectors("the position", positions, nodes());
-    Parts::store(*arrays_.front(), positions);
+    Steps::store(*arrays_.front(), positions);
     is_moved_ = true;
   }
   void set_velocities(std::span<const Point> velocities) override {
@@ -82,15 +57,11 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
     store_velocities(*on_, velocities, inertia().velocities);
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)Parts::evaluate_now(0, load_);
+    (void)Steps::evaluate_now(0, load_);
     return plain_forces(*on_, arrays_.front()->forces);
   }
-  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Parts::stresses_at(load_); }
-  [[nodiscard]] MotionMeasure measure() override {
-    const auto found = measure_motion(*on_, *arrays_.front(), *linear_.front());
-    const auto state = Parts::evaluate_now(0, load_);
-    return {found.kinetic, state.elastic + state.volumetric, {found.momentum[0], found.momentum[1], found.momentum[2]}};
-  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Steps::stresses_at(load_); }
+  [[nodiscard]] MotionMeasure measure() override { return Steps::measure(); }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override {
     std::vector<PlaneContact> contacts;
     where(linear_.front()->planes, [&](auto& /*planes*/) {
@@ -98,7 +69,7 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
     });
     return contacts;
   }
-  [[nodiscard]] index_t bytes() const override { return Parts::bytes(); }
+  [[nodiscard]] index_t bytes() const override { return Steps::bytes(); }
 
  private:
   static SolverSettings unnested(SolverSettings settings) {
@@ -107,13 +78,6 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
   }
   [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(arrays_.front()->nodes()); }
   [[nodiscard]] auto& inertia() const { return *linear_.front()->inertia; }
-
-  double damping_;  ///< [1/s]
-  bool has_planes_;
-  bool is_moved_;             ///< whether positions were set from outside, or planes may push at rest
-  double largest_mass_ = 0;   ///< of a node [kg]
-  double last_reaction_ = 0;  ///< [N]
-  double time_ = 0, load_ = 0;
 };
 
 }  // namespace physgen::fem

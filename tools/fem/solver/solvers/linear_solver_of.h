@@ -5,39 +5,39 @@
 #include <fem/solver/arrays/host_points.h>
 #include <fem/solver/arrays/node_vectors.h>
 #include <fem/solver/loads/loading_arrays.h>
-#include <fem/solver/newton/linear_steps.h>
 #include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/linear_body.h>
+#include <fem/solver/solvers/linear_solves.h>
 #include <fem/solver/solvers/make_executor.h>
 #include <fem/solver/solvers/require.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
-#include <limits>
+#include <functional>
 #include <memory>
-#include <utility>
+#include <vector>
 
 namespace physgen::fem {
 
 /// @tparam Types LinearAssembledArrays or LinearByTetsArrays of linear_types.h. @pre the settings ask for its product
 template <class On, class Types>
-class LinearSolverOf final : public EquilibriumSolver {
- public:
-  using Space = typename On::Space;
-  using Real = typename Types::Real;
-  using Body = typename Types::Body;
-  using Level = typename Types::Level;
-  using Vectors = typename Types::Vectors;
+class LinearSolverOf final : public EquilibriumSolver, private LinearSolves<On, Types> {
+  using Solves = LinearSolves<On, Types>;
+  using Solves::body_;
+  using Solves::lame_;
+  using Solves::linear_;
+  using Solves::load_;
+  using Solves::on_;
+  using Solves::vectors_;
+  using typename Solves::Level;
 
+ public:
   LinearSolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : LinearSolverOf(loading, settings, levels_in_use(levels, unnested(settings))) {}
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     const SolverState before = state();
-    const NewtonResult result = solve_from_rest(load, report);
+    const NewtonResult result = Solves::solve_from_rest(load, report);
     if (result.status != NewtonStatus::converged) restore(before);  // load() is that of an equilibrium
     return result;
   }
@@ -57,19 +57,15 @@ class LinearSolverOf final : public EquilibriumSolver {
     return x;
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)evaluate(load_);
+    (void)Solves::evaluate(load_);
     return plain_forces(*on_, body_.forces);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    elasticity::StressArray<double, Space> stresses(body_.tets.size());
+    elasticity::StressArray<double, typename On::Space> stresses(body_.tets.size());
     compute_linear_stresses(*on_, body_, lame_, stresses);
     return plain_stresses(*on_, stresses);
   }
-  [[nodiscard]] index_t bytes() const override {
-    index_t sum = body_.bytes() + vectors_.bytes();
-    for (const auto& level : linear_) sum += level->bytes();
-    return sum;
-  }
+  [[nodiscard]] index_t bytes() const override { return Solves::bytes(); }
 
   [[nodiscard]] SolverState state() const override { return {load_, true, {positions()}}; }
   void restore(const SolverState& state) override {
@@ -84,13 +80,11 @@ class LinearSolverOf final : public EquilibriumSolver {
 
  private:
   LinearSolverOf(const Loading& loading, const SolverSettings& settings, LevelsInUse used)
-      : settings_(settings),
-        rest_(used.levels.front().rest),
-        on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()), settings)),
-        linear_(make_linear_levels<Level>(used, settings)),
-        lame_(lame_parameters(settings.youngs_modulus, settings.poissons_ratio, "linear elasticity")),
-        rounding_force_(rounding_force(settings, used.levels.front(), loading.motion, false,
-                                       mean_spacing(used.levels.front().mesh, rest_))) {
+      : Solves(make_executor<On>(index_t(used.levels.front().mesh.tets.size()), settings), settings,
+               rounding_force(settings, used.levels.front(), loading.motion, false,
+                              mean_spacing(used.levels.front().mesh, used.levels.front().rest))),
+        rest_(used.levels.front().rest) {
+    linear_ = make_linear_levels<Level>(used, settings);
     fill_linear_body(body_, used.levels.front(), used.graphs.front(), loading,
                      settings.newton.product == Product::assembled);
     vectors_.allocate({.node = used.graphs.front().nodes});
@@ -100,95 +94,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     return settings;
   }
 
-  /// Leaves what it has found in the displacements, also where it has not converged.
-  NewtonResult solve_from_rest(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
-    using Clock = std::chrono::steady_clock;
-    begin_linear(*on_, body_, *linear_[0], lame_, load);
-    load_ = load;
-    auto state = on_->value(body_.state);
-    NewtonResult result;
-    for (bool solved = false;;) {
-      const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
-      result.energy = state.elastic + state.loads;
-      result.reaction = fixed;
-      const double residual = fixed > 0 ? free / fixed : (free > 0 ? 1.0 : 0.0);
-      // A residual that a solve has not lessened, though it reached its tolerance, is rounding.
-      const bool stuck = solved && !(residual < 0.5 * result.residual);
-      result.residual = residual;
-      if (!std::isfinite(result.energy) || !std::isfinite(free)) result.status = NewtonStatus::not_finite;
-      if (result.status != NewtonStatus::converged || free <= rounding_force_ ||
-          residual <= settings_.newton.tolerance || stuck) {
-        break;
-      }
-      if (result.steps == settings_.newton.most_steps) {
-        result.status = NewtonStatus::too_many_steps;
-        break;
-      }
-      const auto start = Clock::now();
-      const LinearResult linear = solve_once();
-      result.steps += 1;
-      result.iterations += linear.iterations;
-      if (linear.status == LinearStatus::not_finite || linear.status == LinearStatus::negative_curvature) {
-        result.status = NewtonStatus::linear_solver;
-        break;
-      }
-      solved = linear.status == LinearStatus::converged;
-      state = evaluate(load);
-      if (report) {
-        NewtonStep step;
-        step.number = result.steps;
-        step.residual = std::sqrt(state.free_square / state.fixed_square);
-        step.energy = state.elastic + state.loads;
-        step.smallest_J = smallest_ratio();
-        step.iterations = linear.iterations;
-        step.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        report(0, step);
-      }
-    }
-    result.smallest_J = smallest_ratio();
-    return result;
-  }
-
-  [[nodiscard]] index_t nodes() const { return body_.displacements.size(); }
-  auto evaluate(double load) {
-    evaluate_linear(*on_, body_, *linear_[0], lame_, load);
-    return on_->value(body_.state);
-  }
-  LinearResult solve_once() {
-    const NewtonSettings& newton = settings_.newton;
-    const bool prepared = std::exchange(is_prepared_, true);
-    if constexpr (Level::Choices::assembled) {
-      if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
-      solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
-    } else {
-      Level& level = *linear_[0];
-      const bool blocks = asks_for(newton.preconditioner.kind, asks::inverses);
-      if (blocks && !prepared) prepare_linear_nodes(*on_, body_, level, lame_);
-      solve_linear_matrix_free(*on_, loop_, body_, level, vectors_, lame_, blocks, linear_tolerance(),
-                               newton.most_iterations);
-    }
-    return linear_result(*on_, vectors_);
-  }
-  /// The tolerance of sqrt(r . z); so far below that of the residual that one solve reaches it, where rounding lets it.
-  [[nodiscard]] double linear_tolerance() const {
-    return std::max(0.03 * settings_.newton.tolerance, 8.0 * std::numeric_limits<Real>::epsilon());
-  }
-  [[nodiscard]] double smallest_ratio() {
-    measure_smallest_ratio(*on_, body_);
-    return on_->value(body_.state).smallest_ratio;
-  }
-
-  SolverSettings settings_;
   std::vector<Point> rest_;
-  std::unique_ptr<On> on_;
-  std::vector<std::unique_ptr<Level>> linear_;  ///< finest first
-  LameParameters lame_;
-  Body body_;
-  Vectors vectors_;
-  typename On::Loop loop_;
-  double rounding_force_;  ///< [N]
-  double load_ = 0;
-  bool is_prepared_ = false;
 };
 
 }  // namespace physgen::fem

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <fem/solver/levels/level_halos.h>
+#include <fem/solver/newton/newton.h>
+#include <fem/solver/solvers/numbers_of_ranks.h>
 #include <fem/solver/solvers/part_of_equilibrium.h>
 #include <fem/solver/solvers/whole_body.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -33,42 +36,41 @@ struct PartOfRank {
   std::unique_ptr<Part> finest;
   std::unique_ptr<On> on;
 
-  PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options)
+  /// @param add_besides adds what a scene has besides, before the arrays are cut
+  PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options,
+             const std::function<void(DistributedArrays& arrays)>& add_besides = {})
       : coarser(whole.coarser.size()) {
     const InStage stage("parts of ranks");
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stresses_of_tets);
-      for (std::size_t k = 0; k < coarser.size(); ++k) {
-        const bool is_cut = k + 1 < whole.cut;
-        if constexpr (!assembled) add_level(part.arrays, part.levels, whole, k, is_cut);
-        add(part.arrays, whole.coarser[k], k, is_cut, whole.listed.levels[k + 1]);
-      }
-      if constexpr (has_patches) {
-        for (std::size_t k = 0; k < coarser.size(); ++k) {
-          add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
-                      k == 0 ? whole.patches : whole.coarser[k - 1].patches, k, whole.listed);
-        }
-      }
+      if constexpr (is_nested) add_coarser(part, whole);
+      if (add_besides) add_besides(part.arrays);
     };
     finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
     finest->facts.all_prescribed = whole.facts.all_prescribed;
-    for (std::size_t k = 0; k < coarser.size(); ++k) {
-      Mesh& mesh = coarser[k];
-      const MeshFacts& facts = whole.coarser[k].facts;
-      const ListedObjects nodes = whole.listed.levels[k + 1].nodes;
-      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
-      if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
-      mesh.facts.rounding_force = facts.rounding_force;
-      mesh.facts.moves = facts.moves;
-      mesh.facts.all_prescribed = facts.all_prescribed;
-      mesh.facts.chunks =
-          chunks_of_part<assembled>(finest->arrays.transport(), mesh.body, finest->levels[k + 1].edges.contents());
-    }
+    if constexpr (is_nested) fill_coarser(whole);
     on = std::make_unique<On>(ranks, finest->arrays, options);
+  }
+
+  /// What an iteration of conjugate gradients sends, with the tangent at the finest mesh's state, which is evaluated.
+  /// @param a, levels, v arrays of this rank @param preconditioner of `levels`
+  template <class Arrays, class Levels, class Vectors, class Evaluator>
+  [[nodiscard]] Traffic traffic_of_iteration(Arrays& a, Levels& levels, Vectors& v, Evaluator& evaluator,
+                                             const PreconditionerSettings& preconditioner, double load) {
+    auto& level = *levels.front();
+    form_tangent(*on, a, level, evaluator, TangentFilter::none, load);
+    prepare_tangent(*on, a, levels, 0, preconditioner, true);
+    return fem::traffic_of_iteration(*on, finest->arrays, a.forces, [&](int count) {
+      on->run(a.nodes(),
+              BeginResidual{a.forces.const_view(), level.constraints.const_view(), false, v.residual.view()});
+      typename On::Loop loop;
+      solve(*on, loop, a, levels, 0, v, preconditioner, 0, count);
+    });
   }
 
  private:
   static constexpr bool assembled = Mesh::Choices::assembled;
+  static constexpr bool is_nested = !may_have<decltype(Mesh::Types::Level::inertia)>;  // bodies that move are not
   static constexpr bool has_patches = !std::is_same_v<decltype(Mesh::patches), NoArrays>;
 
   static HaloUses table() {
@@ -81,6 +83,34 @@ struct PartOfRank {
     if (!is_cut) return arrays.add_replicated_set(set, size);
     arrays.add_set(set, size);
     if (!followed.empty()) arrays.follow(set, followed);
+  }
+  /// Coarser meshes, on which equilibrium is sought first.
+  void add_coarser(Part& part, const WholeBody<Scene>& whole) {
+    for (std::size_t k = 0; k < coarser.size(); ++k) {
+      const bool is_cut = k + 1 < whole.cut;
+      if constexpr (!assembled) add_level(part.arrays, part.levels, whole, k, is_cut);
+      add(part.arrays, whole.coarser[k], k, is_cut, whole.listed.levels[k + 1]);
+    }
+    if constexpr (has_patches) {
+      for (std::size_t k = 0; k < coarser.size(); ++k) {
+        add_parents(part.arrays, k == 0 ? part.patches : coarser[k - 1].patches,
+                    k == 0 ? whole.patches : whole.coarser[k - 1].patches, k, whole.listed);
+      }
+    }
+  }
+  void fill_coarser(const WholeBody<Scene>& whole) {
+    for (std::size_t k = 0; k < coarser.size(); ++k) {
+      Mesh& mesh = coarser[k];
+      const MeshFacts& facts = whole.coarser[k].facts;
+      const ListedObjects nodes = whole.listed.levels[k + 1].nodes;
+      fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
+      if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
+      mesh.facts.rounding_force = facts.rounding_force;
+      mesh.facts.moves = facts.moves;
+      mesh.facts.all_prescribed = facts.all_prescribed;
+      mesh.facts.chunks =
+          chunks_of_part<assembled>(finest->arrays.transport(), mesh.body, finest->levels[k + 1].edges.contents());
+    }
   }
   /// Level k + 1 of tangents that are not assembled, and the parents of level k.
   template <class Levels>

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <fem/solver/solvers/nested_newton.h>
+#include <fem/solver/solvers/numbers_of_ranks.h>
 #include <fem/solver/solvers/part_of_rank.h>
 #include <fem/solver/solvers/require.h>
 #include <fem/solver/solvers/solver_on_ranks.h>
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +24,6 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using Types = typename QuasistaticMesh<typename On::Space, Scene>::Types;
   using PartOfRank = detail::PartOfRank<On, Scene>;
   using Nested = NestedNewton<On, Types>;
-  using Nested::all_prescribed_;
   using Nested::arrays_;
   using Nested::coarser_load_;
   using Nested::evaluate_now;
@@ -33,10 +31,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using Nested::last_reaction_;
   using Nested::linear_;
   using Nested::load_;
-  using Nested::loops_;
-  using Nested::moves_;
   using Nested::reached_;
-  using Nested::rounding_forces_;
   using Nested::settings_;
   using Nested::solved_;
   using Nested::state_now;
@@ -45,9 +40,6 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using PartOfRank::finest;
   using PartOfRank::on;
   using PartOfRank::stresses_of_tets;
-  using typename Nested::Arrays;
-  using typename Nested::Level;
-  using typename Nested::Vectors;
   using typename PartOfRank::Mesh;
 
  public:
@@ -59,17 +51,9 @@ class QuasistaticOnRanks final : public SolverOnRanks,
         is_first_(ranks.is_first()),
         fixed_(std::move(whole.fixed)),
         parents_(std::move(whole.parents)) {
-    take(*finest);
-    for (Mesh& mesh : coarser) take(mesh);
-    for (std::size_t l = 0; l < finest->levels.size(); ++l) {
-      linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
-      if constexpr (Level::Choices::assembled) {
-        linear_.back()->sums = std::move(finest->facts.sums[l]);
-        linear_.back()->rows = std::move(finest->facts.rows[l]);
-      } else {
-        linear_.back()->assembled = false;
-      }
-    }
+    Nested::take(*finest);
+    for (Mesh& mesh : coarser) Nested::take(mesh);
+    Nested::take_levels(*finest);
   }
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
@@ -79,9 +63,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     require_next_loading(loading, fixed_.front().size(), false, {});
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
-      const LoadingOfNodes all(fixed_[l], motion, forces);
-      finest->arrays.fill(arrays_[l]->loads.contents(), all.loads);
-      finest->arrays.fill(arrays_[l]->motion.contents(), all.motion);
+      fill_loading(finest->arrays, arrays_[l]->motion, arrays_[l]->loads, fixed_[l], motion, forces);
       if (l + 1 < arrays_.size()) {
         coarsen_loading(parents_[l], static_cast<Index>(fixed_[l + 1].size()), motion, forces);
       }
@@ -120,17 +102,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       counts.push_back(static_cast<std::size_t>(objects_of(a->rest.contents()).runs().size()));
     if (is_first_) require_state(state, counts);
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
-      const LocalSet& objects = objects_of(arrays_[l]->rest.contents());
-      const std::vector<Point> here =
-          of_first_rank(objects, is_first_ ? std::span(state.positions[l]) : std::span<const Point>());
-      const auto position = [&](index_t node) {
-        typename std::remove_cvref_t<decltype(arrays_[l]->positions)>::Value value{};
-        for (int k = 0; k < 3; ++k) {
-          value.x[k] = here[static_cast<std::size_t>(objects.local(node))][static_cast<std::size_t>(k)];
-        }
-        return value;
-      };
-      for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) finest->arrays.fill(*array, position);
+      const auto positions = is_first_ ? std::span(state.positions[l]) : std::span<const Point>();
+      for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) {
+        fill_from_first_rank(finest->arrays, *array, positions, [](auto& node, int k) -> auto& { return node.x[k]; });
+      }
     }
     load_ = state.load;
     reached_ = state.is_equilibrium;
@@ -139,55 +114,18 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   }
 
   [[nodiscard]] PartOfMesh part() const override {
-    const auto ghosts = [](const LocalSet& set) { return static_cast<index_t>(set.ghosts().size()); };
-    const LocalSet &nodes = objects_of(arrays_.front()->positions), &tets = objects_of(stresses_of_tets);
-    std::set<int> neighbours;
-    for (const index_t ghost : nodes.ghosts()) neighbours.insert(nodes.runs().owner(ghost));
-    return {nodes.owned(), ghosts(nodes), tets.owned(), ghosts(tets), static_cast<int>(neighbours.size())};
+    return part_of(objects_of(arrays_.front()->positions), objects_of(stresses_of_tets));
   }
   [[nodiscard]] Traffic traffic() const override { return on->traffic(); }
-  [[nodiscard]] std::string transport() const override {
-    if constexpr (requires { on->transport_name(); }) return on->transport_name();
-    return "MPI";
-  }
+  [[nodiscard]] std::string transport() const override { return transport_of(*on); }
+  [[nodiscard]] std::vector<std::string> unknown_kernels() const override { return unknown_kernels_of(*on); }
   [[nodiscard]] Traffic traffic_of_iteration() override {
-    Arrays& a = *arrays_.front();
-    Level& level = *linear_.front();
-    Vectors& v = *vectors_.front();
-    const PreconditionerSettings& preconditioner = settings_.newton.preconditioner;
     (void)evaluate_now(0, load_);
-    form_tangent(*on, a, level, *evaluator_, TangentFilter::none, load_);
-    prepare_tangent(*on, a, linear_, 0, preconditioner, true);
-    const auto of_iterations = [&](int count) {
-      finest->arrays.fill(a.forces, [](index_t node) {  // any that are not 0
-        typename std::remove_cvref_t<decltype(a.forces)>::Value value{};
-        for (int k = 0; k < 3; ++k) value.f[k] = 1 + static_cast<double>((3 * node + k) % 7);
-        return value;
-      });
-      on->run(a.nodes(),
-              BeginResidual{a.forces.const_view(), level.constraints.const_view(), false, v.residual.view()});
-      const Traffic before = on->traffic();
-      typename On::Loop loop;
-      solve(*on, loop, a, linear_, 0, v, preconditioner, 0, count);
-      on->wait();
-      return on->traffic() - before;
-    };
-    (void)of_iterations(2);  // fields cross more than once before ranks know what all steps read
-    const Traffic two = of_iterations(2);
-    return of_iterations(3) - two;
+    return PartOfRank::traffic_of_iteration(*arrays_.front(), linear_, *vectors_.front(), *evaluator_,
+                                            settings_.newton.preconditioner, load_);
   }
 
  private:
-  /// Of all nodes of a mesh.
-  struct LoadingOfNodes {
-    elasticity::NodeDisplacementArray<double> motion;
-    elasticity::NodeForceArray<double> loads;
-    LoadingOfNodes(std::span<const std::uint8_t> fixed, const std::vector<Point>& moved,
-                   const std::vector<Point>& forces)
-        : motion(static_cast<index_t>(fixed.size())), loads(static_cast<index_t>(fixed.size())) {
-      store_loading(*this, fixed, moved, forces);
-    }
-  };
   bool is_first_;
   // As WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
@@ -197,24 +135,6 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
     return finest->arrays.objects_of(array);
   }
-  template <class Groups>
-  void take(Groups& groups) {
-    const MeshFacts& facts = groups.facts;
-    arrays_.push_back(std::make_unique<Arrays>(std::move(groups.body)));
-    Arrays& arrays = *arrays_.back();
-    arrays.chunks = facts.chunks;
-    arrays.chunk_arrays = std::make_shared<decltype(Mesh::chunk)>(std::move(groups.chunk));
-    if constexpr (may_have<decltype(arrays.patches)>) {
-      if (arrays.volumes.size() > 0) {
-        arrays.patches = std::make_unique<GroupOf<decltype(arrays.patches)>>(std::move(groups.patches));
-      }
-    }
-    vectors_.push_back(std::make_unique<Vectors>(std::move(groups.krylov)));
-    loops_.emplace_back();
-    rounding_forces_.push_back(facts.rounding_force);
-    moves_.push_back(facts.moves);
-    all_prescribed_.push_back(facts.all_prescribed);
-  }
   [[nodiscard]] std::vector<Point> positions_of(std::size_t level) const {
     return of_all_ranks<3>(arrays_[level]->positions, [](const auto& node, int k) -> double { return node.x()[k]; });
   }
@@ -222,39 +142,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     (void)evaluate_now(level, load_);
     return of_all_ranks<3>(arrays_[level]->forces, [](const auto& node, int k) -> double { return node.f()[k]; });
   }
-  /// Numbers of all objects, by blocks of them, on the first rank; none on others.
-  /// @param element element(object, k) is number k of an object
   template <std::size_t kCount, class Array, class Element>
   [[nodiscard]] std::vector<std::array<double, kCount>> of_all_ranks(const Array& array, const Element& element) const {
     on->wait();
-    std::vector<std::array<double, kCount>> all;
-    finest->arrays.each_block(array, [&](index_t first, const auto& view) {
-      if (first == 0) all.reserve(static_cast<std::size_t>(objects_of(array).runs().size()));
-      for (index_t i = 0; i < view.size(); ++i) {
-        std::array<double, kCount>& numbers = all.emplace_back();
-        for (std::size_t k = 0; k < kCount; ++k) numbers[k] = element(view[i], static_cast<int>(k));
-      }
-    });
-    return all;
-  }
-  /// Of what the first rank has of all objects, that of those that are here, by local numbers.
-  [[nodiscard]] std::vector<Point> of_first_rank(const LocalSet& objects, std::span<const Point> all) const {
-    constexpr index_t most = (index_t{64} << 20) / index_t{sizeof(Point)};
-    Transport& transport = finest->arrays.transport();
-    std::vector<Point> here(static_cast<std::size_t>(objects.size())), window;
-    index_t local = objects.first();
-    for (index_t first = 0; first < objects.runs().size(); first += most) {
-      const index_t last = std::min(first + most, objects.runs().size());
-      window.resize(static_cast<std::size_t>(last - first));
-      std::vector<index_t> sizes(static_cast<std::size_t>(transport.count()), 0);
-      sizes.front() = static_cast<index_t>(std::as_bytes(std::span(window)).size());
-      const auto given = all.empty() ? all : all.subspan(static_cast<std::size_t>(first), window.size());
-      transport.gather(std::as_bytes(given), sizes, std::as_writable_bytes(std::span(window)));
-      for (; local < objects.last() && objects.global(local) < last; ++local) {
-        here[static_cast<std::size_t>(local)] = window[static_cast<std::size_t>(objects.global(local) - first)];
-      }
-    }
-    return here;
+    return fem::of_all_ranks<kCount>(finest->arrays, array, element);
   }
 };
 

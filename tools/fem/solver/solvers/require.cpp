@@ -22,6 +22,13 @@ bool is_finite(const Point& x) {
   return std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
 }
 
+void require_least(const char* what, int value, int least) {
+  if (value < least) {
+    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be " + std::to_string(least) +
+                " or more");
+  }
+}
+
 }  // namespace
 
 void require_positive(const std::string& what, double value) {
@@ -238,6 +245,45 @@ void require_motion(const DynamicSettings& settings) {
   if (!(settings.damping >= 0) || !std::isfinite(settings.damping)) {
     throw Error("the damping is " + number_text(settings.damping) + " and must be 0 or a positive number");
   }
+}
+
+void require_meshes(const std::vector<MeshLevel>& levels) {
+  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh with at least one tet");
+  for (std::size_t l = 0; l < levels.size(); ++l) require_rest(l, levels[l]);
+}
+
+void require_settings(const SolverSettings& settings) {
+  const NewtonSettings& newton = settings.newton;
+  const PreconditionerSettings& preconditioner = newton.preconditioner;
+  require_positive("the tolerance", newton.tolerance);
+  require_positive("the tolerance on coarser meshes", settings.coarser_tolerance);
+  require_positive("the least tolerance of linear solves", newton.least_forcing);
+  require_positive("the largest tolerance of linear solves", newton.most_forcing);
+  require_positive("the stiffness of rigid planes", settings.plane_stiffness);
+  require_positive("the lower end of the smoother's interval", preconditioner.low);
+  if (!(preconditioner.low < 1)) {
+    throw Error("the lower end of the smoother's interval is " + std::to_string(preconditioner.low) +
+                " of its upper end and must be below 1");
+  }
+  require_least("the number of Newton steps", newton.most_steps, 1);
+  require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
+  require_least("the number of halvings of a step", newton.most_halvings, 0);
+  require_least("the number of bisections of an increment", settings.most_bisections, 0);
+  if (newton.product == Product::matrix_free && asks_for(preconditioner.kind, asks::edges)) {
+    throw Error("the matrix-free product requires one of the preconditioners " + preconditioners_without(asks::edges) +
+                ": " + row_of(preconditioner.kind).name + " is formed from blocks of edges, which it does without");
+  }
+  require_least("the degree of the smoother", preconditioner.degree, 1);
+  require_least("the number of power iterations", preconditioner.first_power_steps, 1);
+  require_least("the number of power iterations", preconditioner.next_power_steps, 1);
+}
+
+void require_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                           const SolverSettings& settings) {
+  require_meshes(levels);
+  require_settings(settings);
+  require_single_range(levels.front(), settings);
+  require_plain("linear elasticity", levels.front(), loading);
 }
 
 }  // namespace physgen::fem

@@ -13,6 +13,10 @@ namespace physgen::fem {
 /// @throw Error when the value is not a positive number. @param what "the density"
 void require_positive(const std::string& what, double value);
 
+/// @throw Error when there is no tet, and as require_rest() of each level
+void require_meshes(const std::vector<MeshLevel>& levels);
+/// @throw Error naming a number out of range, or choices that exclude each other
+void require_settings(const SolverSettings& settings);
 /// @throw Error naming the node of level `l` whose rest position is not finite, or the tet without positive volume
 void require_rest(std::size_t l, const MeshLevel& level);
 /// @throw Error where a tangent in single precision would overflow or vanish for that modulus and the level's tets
@@ -34,6 +38,9 @@ void require_next_loading(const Loading& loading, std::size_t nodes, bool had_pl
 /// As require_loading(), of solvers that have neither rigid planes, averaged volumes, several materials nor pressures
 /// that follow the surface. @param who "linear elasticity"
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading);
+/// @throw Error as make_linear_solver() does, but for a device or memory that is not there
+void require_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                           const SolverSettings& settings);
 /// @throw Error naming what is wrong with density or damping
 void require_motion(const DynamicSettings& settings);
 /// @throw Error when the length [s] of a time step is not a positive number, or the load at its end is not finite

@@ -34,6 +34,10 @@ void require_scene_solver(const std::string& scene, const std::vector<MeshLevel>
                                                                         const Loading& loading,
                                                                         const DynamicSettings& settings);
 
+/// @throw Error as make_scene_implicit_solver() does, but for a device or memory that is not there
+void require_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                   const DynamicSettings& settings);
+
 /// Those of an executor are compiled as one file: see scene_solver.in. @pre nothing is asked for that the scene has not
 using MakeSceneSolver = std::unique_ptr<EquilibriumSolver>(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                            const SolverSettings& settings);

@@ -11,6 +11,7 @@
 #include <fem/solver/solvers/make_executor.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <utility>
@@ -34,6 +35,39 @@ class SolverParts {
       : settings_(settings), on_(&on), evaluator_(std::move(material)), solved_(solved) {}
   SolverParts(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : SolverParts(loading, settings, levels_in_use(levels, settings)) {}
+
+  /// The arrays of a mesh that are made.
+  /// @param groups its body, patches or NoArrays, chunk, krylov, and facts
+  template <class Groups>
+  void take(Groups& groups) {
+    arrays_.push_back(std::make_unique<Arrays>(std::move(groups.body)));
+    Arrays& arrays = *arrays_.back();
+    arrays.chunks = groups.facts.chunks;
+    arrays.chunk_arrays = std::make_shared<decltype(groups.chunk)>(std::move(groups.chunk));
+    if constexpr (may_have<decltype(arrays.patches)>) {
+      if (arrays.volumes.size() > 0) {
+        arrays.patches = std::make_unique<GroupOf<decltype(arrays.patches)>>(std::move(groups.patches));
+      }
+    }
+    vectors_.push_back(std::make_unique<Vectors>(std::move(groups.krylov)));
+    loops_.emplace_back();
+    rounding_forces_.push_back(groups.facts.rounding_force);
+    moves_.push_back(groups.facts.moves);
+    all_prescribed_.push_back(groups.facts.all_prescribed);
+  }
+  /// Levels that are made. @param groups levels, finest first, and facts of them
+  template <class Groups>
+  void take_levels(Groups& groups) {
+    for (std::size_t l = 0; l < groups.levels.size(); ++l) {
+      linear_.push_back(std::make_unique<Level>(std::move(groups.levels[l])));
+      if constexpr (Level::Choices::assembled) {
+        linear_.back()->sums = std::move(groups.facts.sums[l]);
+        linear_.back()->rows = std::move(groups.facts.rows[l]);
+      } else {
+        linear_.back()->assembled = false;
+      }
+    }
+  }
 
   [[nodiscard]] index_t bytes() const {
     index_t sum = arrays_.front()->chunk_arrays->bytes();

@@ -17,44 +17,6 @@ namespace physgen::fem {
 
 namespace {
 
-void require_least(const char* what, int value, int least) {
-  if (value < least) {
-    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be " + std::to_string(least) +
-                " or more");
-  }
-}
-
-void require_meshes(const std::vector<MeshLevel>& levels) {
-  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh with at least one tet");
-  for (std::size_t l = 0; l < levels.size(); ++l) require_rest(l, levels[l]);
-}
-
-void require_settings(const SolverSettings& settings) {
-  const NewtonSettings& newton = settings.newton;
-  const PreconditionerSettings& preconditioner = newton.preconditioner;
-  require_positive("the tolerance", newton.tolerance);
-  require_positive("the tolerance on coarser meshes", settings.coarser_tolerance);
-  require_positive("the least tolerance of linear solves", newton.least_forcing);
-  require_positive("the largest tolerance of linear solves", newton.most_forcing);
-  require_positive("the stiffness of rigid planes", settings.plane_stiffness);
-  require_positive("the lower end of the smoother's interval", preconditioner.low);
-  if (!(preconditioner.low < 1)) {
-    throw Error("the lower end of the smoother's interval is " + std::to_string(preconditioner.low) +
-                " of its upper end and must be below 1");
-  }
-  require_least("the number of Newton steps", newton.most_steps, 1);
-  require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
-  require_least("the number of halvings of a step", newton.most_halvings, 0);
-  require_least("the number of bisections of an increment", settings.most_bisections, 0);
-  if (newton.product == Product::matrix_free && asks_for(preconditioner.kind, asks::edges)) {
-    throw Error("the matrix-free product requires one of the preconditioners " + preconditioners_without(asks::edges) +
-                ": " + row_of(preconditioner.kind).name + " is formed from blocks of edges, which it does without");
-  }
-  require_least("the degree of the smoother", preconditioner.degree, 1);
-  require_least("the number of power iterations", preconditioner.first_power_steps, 1);
-  require_least("the number of power iterations", preconditioner.next_power_steps, 1);
-}
-
 /// @throw Error naming what is wrong with what a solver by Newton's method is given
 void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
   require_meshes(levels);
@@ -243,10 +205,15 @@ std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, c
   return solver.on_cuda(levels, loading, settings);
 }
 
-std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
-                                                          const DynamicSettings& settings) {
+void require_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                   const DynamicSettings& settings) {
   require_declared(implicit_scene[0], levels, loading, settings.solver);
   require_implicit(levels, loading, settings);
+}
+
+std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                          const DynamicSettings& settings) {
+  require_scene_implicit_solver(levels, loading, settings);
   if (settings.solver.device == Device::cpu) return make_host_implicit_dynamics_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_implicit_dynamics_solver(levels, loading, settings);
@@ -261,10 +228,7 @@ std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLeve
     const Turn turn(*levels.front().axes);
     return turn.back(make_linear_solver(turn.along(levels), turn.along(loading), settings));
   }
-  require_meshes(levels);
-  require_settings(settings);
-  require_single_range(levels.front(), settings);
-  require_plain("linear elasticity", levels.front(), loading);
+  require_linear_solver(levels, loading, settings);
   if (settings.device == Device::cpu) return make_host_linear_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_linear_solver(levels, loading, settings);

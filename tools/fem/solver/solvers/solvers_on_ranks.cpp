@@ -12,14 +12,14 @@
 
 namespace physgen::fem {
 
-std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const std::string& scene,
-                                                    const std::vector<MeshLevel>& levels, const Loading& loading,
-                                                    const SolverSettings& settings, std::optional<index_t> replicated,
-                                                    const DistributedOptions& options) {
-  require_scene_solver(scene, levels, loading, settings);
-  const auto refuse = [](const std::string& what) {
-    throw Error("several ranks do not have " + what + ", or solve in one process");
-  };
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error("several ranks do not have " + what + ", or solve in one process");
+}
+
+/// @throw Error naming what one process has, and several ranks have not
+void require_parts(const std::vector<MeshLevel>& levels, const SolverSettings& settings) {
   if (levels.front().axes) refuse("supports along axes of their own; turn the body");
 #ifndef PHYSGEN_SOLVER_HAS_CUDA
   if (settings.device != Device::cpu) refuse_cuda();
@@ -29,10 +29,26 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
     refuse("multigrid over one level of at most " + std::to_string(most_coarse_nodes) +
            " nodes, which is inverted as a whole; take more cells or another preconditioner");
   }
+}
+
+/// Of a scene that is on CPUs alone.
+void require_on_cpu(const std::string& scene, const SolverSettings& settings) {
+  if (settings.device != Device::cpu) {
+    refuse("the scene " + scene + " on CUDA; choose the scene quasistatic, or the device cpu");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const std::string& scene,
+                                                    const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                    const SolverSettings& settings, std::optional<index_t> replicated,
+                                                    const DistributedOptions& options) {
+  require_scene_solver(scene, levels, loading, settings);
+  require_parts(levels, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   if (settings.device == Device::cuda) {
-    if (scene != "quasistatic")
-      refuse("the scene " + scene + " on CUDA; choose the scene quasistatic, or the device cpu");
+    if (scene != "quasistatic") require_on_cpu(scene, settings);
     if (settings.before_device) settings.before_device();
     return make_cuda_quasistatic_on_ranks(
         ranks, WholeBody<scenes::quasistatic>(ranks, levels, loading, settings, replicated), settings, options);
@@ -44,6 +60,35 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
   const auto rows = equilibrium_scenes();
   const auto row = std::ranges::find_if(rows, [&](const SceneRow& known) { return scene == known.name; });
   return make[row - rows.begin()](ranks, levels, loading, settings, replicated, options);
+}
+
+std::unique_ptr<MotionOnRanks> make_implicit_solver_on_ranks(const Ranks& ranks, const std::vector<MeshLevel>& levels,
+                                                             const Loading& loading, const DynamicSettings& settings,
+                                                             std::optional<index_t> replicated,
+                                                             const DistributedOptions& options) {
+  require_scene_implicit_solver(levels, loading, settings);
+  require_parts(levels, settings.solver);
+  require_on_cpu("implicit_dynamics", settings.solver);
+  return make_implicit_dynamics_on_ranks(ranks, levels, loading, settings, replicated, options);
+}
+
+std::unique_ptr<SolverOnRanks> make_linear_solver_on_ranks(const Ranks& ranks, const std::vector<MeshLevel>& levels,
+                                                           const Loading& loading, const SolverSettings& settings,
+                                                           std::optional<index_t> replicated,
+                                                           const DistributedOptions& options) {
+  require_linear_solver(levels, loading, settings);
+  require_parts(levels, settings);
+  require_on_cpu("linear_elastic", settings);
+  const PreconditionerRow& preconditioner = row_of(settings.newton.preconditioner.kind);
+  if ((preconditioner.asked & asks::arrays) != 0) {
+    refuse("a " + std::string(preconditioner.title) + " preconditioner; take another one");
+  }
+  if (std::ranges::any_of(levels, &MeshLevel::is_grid)) {
+    refuse(
+        "linear elastic bodies with levels of a background grid; give meshes whose coarsest is small, or another "
+        "preconditioner");
+  }
+  return make_linear_elastic_on_ranks(ranks, levels, loading, settings, replicated, options);
 }
 
 }  // namespace physgen::fem

@@ -24,6 +24,18 @@ namespace physgen::fem {
     const Ranks& ranks, const std::string& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
     const SolverSettings& settings, std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
 
+/// Motion of the scene implicit_dynamics on CPUs, as of make_scene_implicit_solver(). The rest as of
+/// make_solver_on_ranks().
+[[nodiscard]] std::unique_ptr<MotionOnRanks> make_implicit_solver_on_ranks(
+    const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const DynamicSettings& settings,
+    std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
+
+/// Linear elastic bodies on CPUs, as of make_linear_solver(), without the preconditioner Schwarz and levels of a
+/// background grid. The rest as of make_solver_on_ranks().
+[[nodiscard]] std::unique_ptr<SolverOnRanks> make_linear_solver_on_ranks(
+    const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings,
+    std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
+
 /// That of each scene is compiled as one file: see scene_on_ranks.in. @pre nothing is asked for that it has not
 using MakeSolverOnRanks = std::unique_ptr<SolverOnRanks>(const Ranks& ranks, const std::vector<MeshLevel>& levels,
                                                          const Loading& loading, const SolverSettings& settings,
@@ -32,5 +44,10 @@ using MakeSolverOnRanks = std::unique_ptr<SolverOnRanks>(const Ranks& ranks, con
 #define PHYSGEN_DECLARE_ON_RANKS(scene, ...) MakeSolverOnRanks make_##scene##_on_ranks;
 PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_DECLARE_ON_RANKS)
 #undef PHYSGEN_DECLARE_ON_RANKS
+MakeSolverOnRanks make_linear_elastic_on_ranks;
+/// Likewise: see implicit_on_ranks.cpp.
+[[nodiscard]] std::unique_ptr<MotionOnRanks> make_implicit_dynamics_on_ranks(
+    const Ranks& ranks, const std::vector<MeshLevel>& levels, const Loading& loading, const DynamicSettings& settings,
+    std::optional<index_t> replicated, const DistributedOptions& options);
 
 }  // namespace physgen::fem

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -97,8 +96,7 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
       };
       store_loading(arrays, here.fixed, here_of(motion), here_of(forces));
       Mesh& mesh = l == 0 ? *this : coarser[l - 1];
-      mesh.facts.rounding_force = is_part ? rounding_force_of_box(settings, level, motion)
-                                          : rounding_force(settings, level, motion, false, arrays.spacing);
+      mesh.facts.rounding_force = rounding_force(settings, level, motion, false, mean_spacing(level.mesh, level.rest));
       mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t held) { return held != 0; });
       mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t held) { return held == 7; });
       where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<decltype(mesh.patches)&>(over)); });
@@ -125,18 +123,6 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
   }
 
  private:
-  /// rounding_force() of a mesh of whose nodes each has tets, whether or not there are lists.
-  static double rounding_force_of_box(const SolverSettings& settings, const MeshLevel& level,
-                                      const std::vector<Point>& motion) {
-    double farthest = 0;
-    for (std::size_t n = 0; n < level.rest.size(); ++n) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
-      }
-    }
-    const double stiffness = node_stiffness(settings, false, mean_spacing(level.mesh, level.rest));
-    return rounding_force(stiffness, farthest, level.rest.size());
-  }
   static void release_lists_of(Mesh& mesh) {
     typename Arrays::Own kept;
     kept.rest = std::move(mesh.body.rest);
