@@ -37,17 +37,47 @@ std::string allowed_set() {
 
 }  // namespace
 
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+  throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
+}
+
+/// @throw Error naming what one process alone has of the scene everything
+void require_everything_on_ranks(const Options& options) {
+  const fem::SolverSettings& solver = options.solver;
+  if (solver.newton.product != fem::Product::assembled) {
+    refuse("--product matrix-free of --scene everything, which --historical uses, too",
+           "remove it, or write --scene matrix-free");
+  }
+  if (const auto kind = solver.newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
+    refuse("--preconditioner " + std::string(fem::row_of(kind).name), "write --preconditioner multigrid");
+  }
+  if (solver.precision == fem::TangentPrecision::float64) {
+    refuse("--precision double", "write --precision float");
+  }
+  if (options.volume == VolumeTreatment::nodes) refuse("--volume nodes", "write --volume patches");
+  if (!options.is_case()) return;
+  const std::string place = "of the case " + options.case_file.string();
+  if (!solver.materials.empty()) refuse("several materials (material.groups " + place + ")", "give the body one");
+  if (std::ranges::any_of(options.given_case.load_case.pressures, &fem::GroupPressure::follows)) {
+    refuse("pressures that follow the surface (loads " + place + ")", "remove \"follows\"");
+  }
+}
+
+}  // namespace
+
 void require_on_ranks(const Options& options) {
-  const auto refuse = [](const std::string& what, const std::string& remedy) {
-    throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
-  };
 #ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
   refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
 #endif
   const bool on_cuda = options.solver.device == fem::Device::cuda;
-  if (equilibrium_row(options.scene) == nullptr || (on_cuda && options.scene != SceneKind::quasistatic)) {
+  const bool is_everything = options.scene == SceneKind::everything;
+  const bool has_scene = is_everything || equilibrium_row(options.scene) != nullptr;
+  if (!has_scene || (on_cuda && options.scene != SceneKind::quasistatic)) {
     refuse("--scene " + name_of(scene_kinds, options.scene) + (on_cuda ? " on CUDA" : ""), "write --scene quasistatic");
   }
+  if (is_everything) require_everything_on_ranks(options);
 }
 
 RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(ranks) {

@@ -5,6 +5,7 @@
 #include <fem/solver/solvers/part_of_equilibrium.h>
 #include <fem/solver/solvers/whole_body.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -29,12 +30,13 @@ struct PartOfRank {
   using WholeMesh = QuasistaticMesh<Host, Scene>;
   using Part = PartOfEquilibrium<WholeBody<Scene>, QuasistaticBody<Space, Scene>>;
   std::vector<Mesh> coarser;
+  std::vector<typename QuasistaticBody<Space, Scene>::Planes> planes;  ///< of the level of each mesh, or none
   elasticity::StressArray<double, Space> stresses_of_tets;
   std::unique_ptr<Part> finest;
   std::unique_ptr<On> on;
 
   PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options)
-      : coarser(whole.coarser.size()) {
+      : coarser(whole.coarser.size()), planes(whole.planes.size()) {
     const InStage stage("parts of ranks");
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stresses_of_tets);
@@ -49,9 +51,11 @@ struct PartOfRank {
                       k == 0 ? whole.patches : whole.coarser[k - 1].patches, k, whole.listed);
         }
       }
+      add_planes(part.arrays, whole);
     };
     finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
     finest->facts.all_prescribed = whole.facts.all_prescribed;
+    fill_planes(whole);
     for (std::size_t k = 0; k < coarser.size(); ++k) {
       Mesh& mesh = coarser[k];
       const MeshFacts& facts = whole.coarser[k].facts;
@@ -59,6 +63,7 @@ struct PartOfRank {
       fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
       if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
       mesh.facts.rounding_force = facts.rounding_force;
+      mesh.facts.plane_stiffness = facts.plane_stiffness;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
       mesh.facts.chunks =
@@ -70,6 +75,7 @@ struct PartOfRank {
  private:
   static constexpr bool assembled = Mesh::Choices::assembled;
   static constexpr bool has_patches = !std::is_same_v<decltype(Mesh::patches), NoArrays>;
+  static constexpr bool has_planes = !std::is_same_v<typename QuasistaticBody<Space, Scene>::Planes, NoArrays>;
 
   static HaloUses table() {
     static const std::vector<HaloUse> rows = with_halos_of_levels(halos_of<Scene>());
@@ -116,6 +122,29 @@ struct PartOfRank {
         add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
       } else {
         add_node_patches(arrays, number, sets.node, patch, mesh.patches, whole.patches, listed);
+      }
+    }
+  }
+  /// Of the rigid planes, which all ranks have.
+  void add_planes(DistributedArrays& arrays, const WholeBody<Scene>& whole) {
+    if constexpr (has_planes) {
+      if (!planes.empty()) arrays.add_replicated_set("plane", whole.planes.front().planes.size());
+      for (std::size_t l = 0; l < planes.size(); ++l) {
+        const std::string of_planes = "planes" + in_brackets(l) + ".", node = "level" + in_brackets(l) + ".node";
+        arrays.add(of_planes + "stiffness", node, planes[l].stiffness);
+        if (l > coarser.size()) continue;
+        arrays.add(of_planes + "planes", "plane", planes[l].planes.contents());
+        arrays.add(of_planes + "areas", node, planes[l].areas.contents());
+      }
+    }
+  }
+  /// Where equilibrium is sought. Behind cut().
+  void fill_planes(const WholeBody<Scene>& whole) {
+    if constexpr (has_planes) {
+      for (std::size_t l = 0; l < std::min(planes.size(), 1 + coarser.size()); ++l) {
+        finest->arrays.fill(planes[l].planes.contents(), whole.planes[l].planes);
+        finest->arrays.fill(planes[l].areas.contents(), whole.planes[l].areas);
+        planes[l].contact.resize(1);
       }
     }
   }

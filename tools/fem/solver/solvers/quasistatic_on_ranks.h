@@ -17,7 +17,7 @@
 
 namespace physgen::fem {
 
-/// @tparam On DistributedExecutor @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES
+/// @tparam On DistributedExecutor @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES, or EverythingOnRanks
 template <class On, class Scene = scenes::quasistatic>
 class QuasistaticOnRanks final : public SolverOnRanks,
                                  private detail::PartOfRank<On, Scene>,
@@ -35,6 +35,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using Nested::load_;
   using Nested::loops_;
   using Nested::moves_;
+  using Nested::plane_contacts_of;
   using Nested::reached_;
   using Nested::rounding_forces_;
   using Nested::settings_;
@@ -63,6 +64,8 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     for (Mesh& mesh : coarser) take(mesh);
     for (std::size_t l = 0; l < finest->levels.size(); ++l) {
       linear_.push_back(std::make_unique<Level>(std::move(finest->levels[l])));
+      linear_.back()->is_grid = whole.graphs[l].is_grid;
+      linear_.back()->lies_in_grid = !whole.graphs[l].grid_parents.empty();
       if constexpr (Level::Choices::assembled) {
         linear_.back()->sums = std::move(finest->facts.sums[l]);
         linear_.back()->rows = std::move(finest->facts.rows[l]);
@@ -70,13 +73,22 @@ class QuasistaticOnRanks final : public SolverOnRanks,
         linear_.back()->assembled = false;
       }
     }
+    if constexpr (may_have<decltype(Level::planes)>) {
+      for (std::size_t l = 0; l < PartOfRank::planes.size(); ++l) {
+        linear_[l]->planes = std::make_unique<GroupOf<decltype(Level::planes)>>(std::move(PartOfRank::planes[l]));
+        if (l <= coarser.size())
+          linear_[l]->planes->per_area = (l == 0 ? finest->facts : coarser[l - 1].facts).plane_stiffness;
+      }
+      has_planes_ = !PartOfRank::planes.empty();
+    }
+    reached_ = !has_planes_;  // planes may push at rest
   }
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     return Nested::solve_to(load, report);
   }
   void set_loading(const Loading& loading) override {
-    require_next_loading(loading, fixed_.front().size(), false, {});
+    require_next_loading(loading, fixed_.front().size(), has_planes_, {});
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
       const LoadingOfNodes all(fixed_[l], motion, forces);
@@ -93,12 +105,13 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   [[nodiscard]] std::vector<Point> forces() override { return forces_of(0); }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
-    return NodeState{positions_of(1), forces_of(1), {}};
+    return NodeState{positions_of(1), forces_of(1), plane_contacts_of(1)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     Nested::evaluate_stresses(load_, stresses_of_tets);
     return of_all_ranks<9>(stresses_of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
   }
+  [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
   [[nodiscard]] index_t bytes() const override {
     index_t sum = stresses_of_tets.bytes();
     for (const auto& level : linear_) sum += level->bytes();
@@ -188,7 +201,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
       store_loading(*this, fixed, moved, forces);
     }
   };
-  bool is_first_;
+  bool is_first_, has_planes_ = false;
   // As WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
   std::vector<std::vector<std::array<Index, 2>>> parents_;
