@@ -59,7 +59,6 @@ void require_everything_on_ranks(const Options& options) {
   if (options.volume == VolumeTreatment::nodes) refuse("--volume nodes", "write --volume patches");
   if (!options.is_case()) return;
   const std::string place = "of the case " + options.case_file.string();
-  if (!solver.materials.empty()) refuse("several materials (material.groups " + place + ")", "give the body one");
   if (std::ranges::any_of(options.given_case.load_case.pressures, &fem::GroupPressure::follows)) {
     refuse("pressures that follow the surface (loads " + place + ")", "remove \"follows\"");
   }

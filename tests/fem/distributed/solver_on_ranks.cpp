@@ -4,9 +4,10 @@
 //   --cells N         along each side (default 12); levels halve them as long as their number is even
 //   --scene NAME      quasistatic where none is given; of everything:
 //   --material NAME     stable-neo-hookean where none is given
-//   --precision half    matrices of preconditioners are stored in half
+//   --precision NAME    of the tangent: float where none is given, half or double
 //   --planes 1          the cube stands on a plate, and planes push it, aslant
 //   --grid 1            one mesh of irregular tets, and a background grid
+//   --materials 1       three, of which the second has few tets, all in a block with some of the others
 //   --percent N       Poisson's ratio (default 45)
 //   --preconditioner  multigrid, block-jacobi or none
 //   --nested 0        on one mesh
@@ -20,6 +21,7 @@
 #include <fem/solver/solvers/scene_solvers.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -76,6 +78,14 @@ void stand_between_planes(Body& body) {
   body.loading.planes = {{{-s, 0, -c}, -(s + c) * side, 0.1 * side}, {{c, 0, s}, 0, 0.03 * side}};
 }
 
+void give_materials(Body& body, SolverSettings& settings) {
+  settings.materials = {{1e4, settings.poissons_ratio}, {4e4, 0.3}, {6e3, settings.poissons_ratio}};
+  for (MeshLevel& level : body.levels) {
+    const auto cells = static_cast<Index>(level.mesh.tets.size()) / 6;  // whose tets have a patch
+    level.material_ends = {6 * (2 * cells / 5), 6 * std::min(2 * cells / 5 + 100, cells), 6 * cells};
+  }
+}
+
 /// The first rank has all values, and others have none.
 void print_state(const Ranks& ranks, EquilibriumSolver& solver) {
   const auto positions = solver.positions(), forces = solver.forces();
@@ -113,13 +123,17 @@ int main(int argc, char** argv) {
   const bool is_everything = scene == "everything";
   if (is_everything) {
     settings.material = word(argc, argv, "--material", settings.material);
-    if (word(argc, argv, "--precision", "float") == "half") settings.precision = TangentPrecision::half;
+    const std::string precision = word(argc, argv, "--precision", "float");
+    if (precision == "half") settings.precision = TangentPrecision::half;
+    if (precision == "double") settings.precision = TangentPrecision::float64;
   }
-  const bool has_planes = asked(argc, argv, "--planes", 0) != 0, has_grid = asked(argc, argv, "--grid", 0) != 0;
+  const bool has_planes = asked(argc, argv, "--planes", 0) != 0, has_grid = asked(argc, argv, "--grid", 0) != 0,
+             has_materials = asked(argc, argv, "--materials", 0) != 0;
   const int replicate = asked(argc, argv, "--replicate", 0);
   const bool is_restored = asked(argc, argv, "--restored", 0) != 0;
   return run_as_asked(argc, argv, [&](const Ranks& ranks, Index cells, bool patches, bool ordinary) {
     Body body = pressed_cube(cells, patches, has_grid ? 1 : 16);
+    if (has_materials) give_materials(body, settings);
     if (has_planes) stand_between_planes(body);
     if (has_grid) {
       body.levels.front().patch_parents.clear();

@@ -61,6 +61,18 @@ def the_scene_everything_has_the_bits_of_one_process():
         ("14", (4,), *everything, "--grid", "1", "--patches", "1", "--percent", "49")))
 
 
+def several_materials_have_the_bits_of_one_process():
+    """Which begin inside of the blocks that ranks own, by tets and patches, where coarser meshes are cut and where ranks have them whole."""
+    materials = "--scene", "everything", "--materials", "1"
+    compare((
+        ("16", (1, 2, 3), *materials),
+        ("24", (2, 4), *materials, "--patches", "1", "--percent", "49", "--replicate", "1000", "--precision", "half"),
+        ("14", (8,), *materials, "--patches", "1", "--material", "neo-hookean", "--preconditioner", "block-jacobi"),
+        ("16", (2,), *materials, "--planes", "1", "--restored", "1")))
+    alone = [run(program("solver_on_ranks"), "--cells", "16", *words, "--ordinary", "1")[1] for words in (materials, materials[:2])]
+    assert alone[0] != alone[1], "the materials do nothing"
+
+
 def contact_has_the_bits_of_one_process():
     """Rigid planes push a body: also of the force and depth of each, on the finest mesh and on the next coarser one."""
     planes = "--scene", "everything", "--planes", "1"
@@ -71,6 +83,14 @@ def contact_has_the_bits_of_one_process():
         output = compare((case,))
         forces = [float.fromhex(line.split()[2]) for line in output.splitlines() if line.startswith("plane force ")]
         assert len(forces) == 2 * 2 * meshes and min(forces[2 * meshes:]) > 0, output  # at the first load one may not touch yet
+
+
+def what_one_process_alone_has_of_everything_is_refused():
+    """By the solver, too, with the remedy, once."""
+    for option, word, said in (("--precision", "double", "tangents in double; take them in float or half"),
+                               ("--preconditioner", "schwarz", "the Schwarz preconditioner; take another")):
+        status, output, errors = ranks(2, "solver_on_ranks", "--cells", "8", "--scene", "everything", option, word)
+        assert status == 1 and not output and len(re.findall(f"several ranks do not have {said}, or solve in one process", errors)) == 1, (status, output, errors)
 
 
 def what_an_iteration_sends_is_what_newton_steps_send_for_each():

@@ -39,7 +39,7 @@ def the_default_scene_has_the_files_of_one_process():
 
 
 def meshes_and_cases_have_the_files_of_one_process():
-    """On a background grid, in a law of the case, and with coarser meshes."""
+    """On a background grid, in a law of the case, in several materials, and with coarser meshes."""
     shuffled(Box(13)).write(FOLDER / "mesh.msh")
     words = ("--mesh", str(FOLDER / "mesh.msh"), "--plates", "contact", "--compress", "0.03", "0.06")
     wanted, found = FOLDER / "mesh", FOLDER / "mesh_ranks"
@@ -48,9 +48,11 @@ def meshes_and_cases_have_the_files_of_one_process():
     expect_same(wanted, found, ("cube.vtkhdf", "checkpoint.h5"))
     case = {"mesh": "case.msh", "material": {"law": "neo-hookean", "young": 2e4, "poisson": 0.45, "density": 1000}, "supports": [{"group": "z0"}],
             "loads": [{"group": "z1", "traction": [0, 30, -400]}, {"gravity": [0, 0, -9.81]}], "steps": [0.5, 1]}
-    for name, box, flags in (("plain", Box(12), ()), ("nested", Box(4), ("--refine", "2"))):
+    groups = [{"group": "far", "young": 5e4, "poisson": 0.3}]
+    for name, box, flags, more in (("plain", Box(12), (), {}), ("nested", Box(4), ("--refine", "2"), {}),
+                                   ("materials", Box(13), (), {"groups": groups}), ("nested_materials", Box(4), ("--refine", "2"), {"groups": groups})):
         shuffled(box).write(FOLDER / "case.msh")
-        (FOLDER / "case.json").write_text(json.dumps(case))
+        (FOLDER / "case.json").write_text(json.dumps(case | {"material": case["material"] | more}))
         words = ("--case", str(FOLDER / "case.json"), *flags, "--out")
         wanted, found = FOLDER / f"{name}_case", FOLDER / f"{name}_case_ranks"
         printed = without_times(done(0, *on(1, *words, str(wanted))))
@@ -65,7 +67,6 @@ def what_one_process_alone_has_of_it_is_refused():
     out = FOLDER / "refused"
     shuffled(Box(3)).write(FOLDER / "case.msh")
     case = {"mesh": "case.msh", "material": {"young": 2e4, "poisson": 0.45}, "supports": [{"group": "z0"}]}
-    (FOLDER / "groups.json").write_text(json.dumps(case | {"material": {**case["material"], "groups": [{"group": "far", "young": 1e4, "poisson": 0.3}]}}))
     (FOLDER / "follows.json").write_text(json.dumps(case | {"loads": [{"group": "z1", "pressure": 100, "follows": True}]}))
     end = ", or start one process, without mpirun"
     for words, said in (
@@ -73,7 +74,6 @@ def what_one_process_alone_has_of_it_is_refused():
             (("--volume", "nodes"), "--volume nodes; write --volume patches" + end),
             (("--preconditioner", "schwarz"), "--preconditioner schwarz; write --preconditioner multigrid" + end),
             (("--product", "matrix-free", "--preconditioner", "block-jacobi"), "--product matrix-free of --scene everything"),
-            (("--case", str(FOLDER / "groups.json")), r"several materials \(material.groups of the case \S*groups.json\); give the body one" + end),
             (("--case", str(FOLDER / "follows.json")), r"pressures that follow the surface \(loads of the case \S*follows.json\); remove \"follows\"" + end)):
         status, output, errors = run(*on(2, *words, "--out", str(out)))
         assert status == 1 and not output and not out.exists(), (words, status, output, errors)

@@ -66,8 +66,9 @@ struct PartOfRank {
       mesh.facts.plane_stiffness = facts.plane_stiffness;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
-      mesh.facts.chunks =
-          chunks_of_part<assembled>(finest->arrays.transport(), mesh.body, finest->levels[k + 1].edges.contents());
+      mesh.materials = materials_of(finest->arrays, mesh.body, whole.coarser[k].materials);
+      mesh.facts.chunks = chunks_of_part<assembled>(finest->arrays.transport(), mesh.body,
+                                                    finest->levels[k + 1].edges.contents(), mesh.materials);
     }
     on = std::make_unique<On>(ranks, finest->arrays, options);
   }

@@ -216,6 +216,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     arrays_.push_back(std::make_unique<Arrays>(std::move(groups.body)));
     Arrays& arrays = *arrays_.back();
     arrays.chunks = facts.chunks;
+    arrays.materials = groups.materials;
     arrays.chunk_arrays = std::make_shared<decltype(Mesh::chunk)>(std::move(groups.chunk));
     if constexpr (may_have<decltype(arrays.patches)>) {
       if (arrays.volumes.size() > 0) {

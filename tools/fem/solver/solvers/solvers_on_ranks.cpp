@@ -32,7 +32,6 @@ void require_everything_on_ranks(const std::vector<MeshLevel>& levels, const Loa
     refuse("the " + std::string(preconditioner.title) + " preconditioner; take another");
   }
   if (levels.front().averages_at_nodes) refuse("volumes averaged at nodes; average them over patches");
-  if (!settings.materials.empty()) refuse("several materials; give the body one");
   if (!loading.pressures.empty()) refuse("pressures that follow the surface; give them as forces at rest");
 }
 

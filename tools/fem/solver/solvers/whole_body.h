@@ -48,6 +48,7 @@ struct QuasistaticMesh {
   Chunk chunk;
   typename Types::Vectors krylov;
   MeshFacts facts;
+  std::vector<MaterialRange> materials;  ///< where there are several
 };
 
 /// With its levels.
@@ -110,6 +111,7 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
       mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t held) { return held == 7; });
       where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<decltype(mesh.patches)&>(over)); });
       mesh.body = std::move(static_cast<typename Arrays::Own&>(arrays));
+      mesh.materials = arrays.materials;
       if (is_part) part.levels[l] = {};
       fixed.push_back(level.fixed);
       if (l + 1 == solved) break;
