@@ -36,12 +36,34 @@ std::string allowed_set() {
   return text;
 }
 
+[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+  throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
+}
+
+/// @throw Error naming what one process alone has of the scene everything
+void require_everything_on_ranks(const Options& options) {
+  const fem::SolverSettings& solver = options.solver;
+  if (solver.newton.product != fem::Product::assembled) {
+    refuse("--product matrix-free of --scene everything, which --historical uses, too",
+           "remove it, or write --scene matrix-free");
+  }
+  if (const auto kind = solver.newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
+    refuse("--preconditioner " + std::string(fem::row_of(kind).name), "write --preconditioner multigrid");
+  }
+  if (solver.precision == fem::TangentPrecision::float64) {
+    refuse("--precision double", "write --precision float");
+  }
+  if (options.volume == VolumeTreatment::nodes) refuse("--volume nodes", "write --volume patches");
+  if (!options.is_case()) return;
+  const std::string place = "of the case " + options.case_file.string();
+  if (std::ranges::any_of(options.given_case.load_case.pressures, &fem::GroupPressure::follows)) {
+    refuse("pressures that follow the surface (loads " + place + ")", "remove \"follows\"");
+  }
+}
+
 }  // namespace
 
 void require_on_ranks(const Options& options) {
-  const auto refuse = [](const std::string& what, const std::string& remedy) {
-    throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
-  };
 #ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
   refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
 #endif
@@ -49,7 +71,6 @@ void require_on_ranks(const Options& options) {
   const std::string scene = "--scene " + name_of(scene_kinds, options.scene);
   if (on_cuda && options.scene != SceneKind::quasistatic) refuse(scene + " on CUDA", "write --scene quasistatic");
   const fem::Preconditioner preconditioner = options.solver.newton.preconditioner.kind;
-  if (options.scene == SceneKind::everything) refuse(scene, "write --scene quasistatic");
   if (options.scene == SceneKind::linear_elastic && fem::asks_for(preconditioner, fem::asks::arrays)) {
     refuse(scene + " --preconditioner " + fem::row_of(preconditioner).name,
            "take --preconditioner " + fem::preconditioners_without(fem::asks::arrays));
@@ -60,6 +81,7 @@ void require_on_ranks(const Options& options) {
            "with --preconditioner " +
                fem::preconditioners_without(fem::asks::arrays));
   }
+  if (options.scene == SceneKind::everything) require_everything_on_ranks(options);
 }
 
 RanksOfRun::RanksOfRun(const Ranks& ranks, const Options& options) : ranks_(ranks) {

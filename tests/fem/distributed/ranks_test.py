@@ -161,31 +161,6 @@ def newton_by_tets_has_the_bits_of_one_process():
             expect_traffic(steps, on_ranks(count, "newton_by_tets", wanted, "--cells", cells), 1)
 
 
-def contact_has_the_bits_of_one_process():
-    """The same of rigid planes that push a body, also where meshes are nested: also of the force and depth of each plane."""
-    for cells, options, meshes, counts in (("20", (), 1, (2, 4)), ("3", (), 1, (4,)), ("16", ("--levels", "4"), 2, (3,)),
-                                           ("24", ("--levels", "4", "--replicate", "2000"), 2, (2,))):
-        wanted, steps = in_one_process("contact", cells, *options)
-        forces = [float.fromhex(line.split()[2]) for line in wanted if line.startswith("plane force ")]
-        assert len(forces) == 2 * meshes and min(forces) > 0, wanted
-        for count in counts:
-            traffic = on_ranks(count, "contact", wanted, "--cells", cells, *options)
-            if options:
-                expect_traffic_of_levels(steps, traffic, nested=1, planes=1, cut=2 if "--replicate" in options else 1)
-    status, output, errors = run(program("contact_without_mpi"), "--cells", "8", "--levels", "3", "--planes", "1", "--ordinary", "1")
-    assert status != 0 and "some levels have planes, and others have none; give a group of them for each level" in errors, output + errors
-
-
-def background_grid_has_the_bits_of_one_process():
-    """The same of a mesh that has no coarser ones, on a background grid."""
-    for cells, counts in (("20", (2, 3)), ("6", (4,))):
-        wanted, steps = in_one_process("background_grid", cells)
-        for count in counts:
-            traffic = on_ranks(count, "background_grid", wanted, "--cells", cells)
-            if cells == "20":
-                expect_traffic_of_levels(steps, traffic, grid=1)
-
-
 def nested_iteration_from_a_cut_mesh_has_the_bits_of_one_process():
     """Nested iteration begins from a coarser mesh of which ranks have parts, too: of several blocks each, or of one that one rank owns."""
     for cells, replicate, counts in (("40", "9000", (2,)), ("24", "2000", (3,)), ("16", "700", (4,))):
@@ -201,14 +176,13 @@ def nested_iteration_from_a_cut_mesh_has_the_bits_of_one_process():
     assert found != wanted, found
 
 
-def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0, planes=0, grid=0):
+def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0):
     """The V-cycle in place of block Jacobi. Each level that is cut has six exchanges in each preconditioning, one less where no product is
     before it, and the finest one that is not cut a residual that all ranks are given. Before the first, each has the scales of nodes, what is
     coarsened of nodes, the vectors of two power iterations, or of nine besides the first, whose length is measured twice then, in half the
     inverses of scales, and below the finest the blocks of edges. A motion that is interpolated crosses, for the ghosts that its first two
     readers need one after the other, and its least volume is measured; where the coarser mesh is cut, too, what its gradients are of crosses
-    before, and its motion with these. A coarser mesh that is cut needs one exchange more in its first step, for what other ghosts need.
-    The nodes' blocks of planes cross on each level, and are given to all; so is what resists translations on a background grid."""
+    before, and its motion with these. A coarser mesh that is cut needs one exchange more in its first step, for what other ghosts need."""
     coarsest = max(step["level"] for step in steps)
     for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
         levels = cut - step["level"]
@@ -219,10 +193,9 @@ def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0,
             continue
         first = step["step"] == 1
         begins = nested * first * (step["level"] < coarsest)
-        beside = patches + (2 if levels == 1 else 4) * begins + (first and step["level"] > 0) + grid * (1 + first)
-        assert exchanges == levels * (6 * (step["iterations"] + 1) + 4 + half + planes + 7 * first) + beside, (step, exchanges)
-        of_levels = levels * (2 + first) + planes + grid
-        assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + of_levels + begins, (step, gathers)
+        beside = patches + (2 if levels == 1 else 4) * begins + (first and step["level"] > 0)
+        assert exchanges == levels * (6 * (step["iterations"] + 1) + 4 + half + 7 * first) + beside, (step, exchanges)
+        assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + levels * (2 + first) + begins, (step, gathers)
 
 
 def multigrid_in_newton_has_the_bits_of_one_process():

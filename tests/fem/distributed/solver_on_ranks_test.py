@@ -8,7 +8,7 @@ from ranks import program, ranks, run, run_case  # noqa: E402
 
 
 def compare(cases):
-    """All that the solver of a scene hands out is that of one process, on every rank."""
+    """All that the solver of a scene hands out is that of one process, on every rank. Returns that of the last case."""
     for cells, counts, *options in cases:
         options = "--cells", cells, *options
         status, wanted, errors = run(program("solver_on_ranks"), *options, "--ordinary", "1")
@@ -18,6 +18,7 @@ def compare(cases):
         for count in counts:
             status, found, errors = ranks(count, "solver_on_ranks", *options)
             assert status == 0 and found == wanted, f"{count} ranks: {found}{errors}"
+    return wanted
 
 
 def the_solver_of_several_ranks_has_the_bits_of_one_process():
@@ -71,11 +72,58 @@ def linear_elasticity_has_the_bits_of_one_process():
         assert lines[0].startswith("traffic of an iteration") and (exchanges, gathers) == sent and messages == exchanges and size > 0, lines[0]
 
 
+def the_scene_everything_has_the_bits_of_one_process():
+    """In each material, stored in half or not, by tets and patches, on meshes and on a background grid."""
+    everything = "--scene", "everything"
+    compare((
+        ("20", (2, 4), *everything, "--material", "neo-hookean", "--patches", "1", "--percent", "49", "--precision", "half"),
+        ("24", (3,), *everything, "--patches", "1", "--replicate", "1000", "--precision", "half"),
+        ("16", (3,), *everything, "--material", "mooney-rivlin", "--restored", "1"),
+        ("14", (2,), *everything, "--material", "corotated", "--preconditioner", "block-jacobi"),
+        *((cells, (count,), *everything, "--material", material, "--nested", nested) for cells, count, material, nested in (
+            ("12", 2, "st-venant-kirchhoff", "0"), ("16", 3, "fixed-corotated", "1"), ("14", 2, "stable-neo-hookean-full", "0"))),
+        ("16", (2, 3), *everything, "--grid", "1", "--precision", "half"),
+        ("14", (4,), *everything, "--grid", "1", "--patches", "1", "--percent", "49")))
+
+
+def several_materials_have_the_bits_of_one_process():
+    """Which begin inside of the blocks that ranks own, by tets and patches, where coarser meshes are cut and where ranks have them whole."""
+    materials = "--scene", "everything", "--materials", "1"
+    compare((
+        ("16", (1, 2, 3), *materials),
+        ("24", (2, 4), *materials, "--patches", "1", "--percent", "49", "--replicate", "1000", "--precision", "half"),
+        ("14", (8,), *materials, "--patches", "1", "--material", "neo-hookean", "--preconditioner", "block-jacobi"),
+        ("16", (2,), *materials, "--planes", "1", "--restored", "1")))
+    alone = [run(program("solver_on_ranks"), "--cells", "16", *words, "--ordinary", "1")[1] for words in (materials, materials[:2])]
+    assert alone[0] != alone[1], "the materials do nothing"
+
+
+def contact_has_the_bits_of_one_process():
+    """Rigid planes push a body: also of the force and depth of each, on the finest mesh and on the next coarser one."""
+    planes = "--scene", "everything", "--planes", "1"
+    for meshes, *case in ((1, "8", (2,), *planes), (1, "20", (1, 2, 4, 8), *planes, "--precision", "half"),
+                          (2, "24", (2,), *planes, "--patches", "1", "--percent", "49", "--replicate", "2000"),
+                          (1, "14", (4,), *planes, "--preconditioner", "block-jacobi", "--nested", "0", "--material", "neo-hookean"),
+                          (2, "16", (3,), *planes, "--restored", "1"), (1, "14", (2,), *planes, "--grid", "1")):
+        output = compare((case,))
+        forces = [float.fromhex(line.split()[2]) for line in output.splitlines() if line.startswith("plane force ")]
+        assert len(forces) == 2 * 2 * meshes and min(forces[2 * meshes:]) > 0, output  # at the first load one may not touch yet
+
+
+def what_one_process_alone_has_of_everything_is_refused():
+    """By the solver, too, with the remedy, once."""
+    for option, word, said in (("--precision", "double", "tangents in double; take them in float or half"),
+                               ("--preconditioner", "schwarz", "the Schwarz preconditioner; take another")):
+        status, output, errors = ranks(2, "solver_on_ranks", "--cells", "8", "--scene", "everything", option, word)
+        assert status == 1 and not output and len(re.findall(f"several ranks do not have {said}, or solve in one process", errors)) == 1, (status, output, errors)
+
+
 def what_an_iteration_sends_is_what_newton_steps_send_for_each():
     """Before a solve the solver says what an iteration sends. Steps that differ by k iterations differ by k times that; and saying it changes
     no result."""
     for cells, count, *options in (("24", 3, "--patches", "1", "--nested", "0", "--replicate", "1000", "--percent", "49"),
-                                   ("20", 2, "--preconditioner", "block-jacobi")):
+                                   ("20", 2, "--preconditioner", "block-jacobi"),
+                                   ("24", 2, "--scene", "everything", "--planes", "1", "--replicate", "1000", "--nested", "0")):
         options = "--cells", cells, *options
         wanted = run(program("solver_on_ranks"), *options, "--ordinary", "1")[1]
         status, output, errors = ranks(count, "solver_on_ranks", *options, "--iteration", "1")

@@ -32,7 +32,8 @@ class Box:
     def write(self, path, move=lambda x: x):
         """In Gmsh's format, version 2.2. @param move of nodes"""
         numbers = {name: number for number, name in enumerate(self.faces, 1)}
-        rows = [(4, 8 if t in set(self.far) else 7, tet) for t, tet in enumerate(self.tets)]
+        far = set(self.far)
+        rows = [(4, 8 if t in far else 7, tet) for t, tet in enumerate(self.tets)]
         rows += [(2, numbers[name], face) for name, faces in self.faces.items() for face in faces]
         with open(path, "w", encoding="ascii") as out:
             out.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n8\n")

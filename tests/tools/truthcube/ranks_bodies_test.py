@@ -1,30 +1,12 @@
 """Meshes of a user's own and cases in truthcube on several ranks: ranks_bodies_test.py MPIRUN|none TRUTHCUBE CASE."""
 import json
-import random
 import re
 import shutil
 
 from case_bodies import Box
+from ranks_bodies import case_record, shuffled
 from ranks_runs import FOLDER, MPIRUN, SCENE, TRUTHCUBE, command, done, expect_same, record, run_and_remove, without_times
 from ranks import run  # behind ranks_runs, which says where it is
-
-
-def shuffled(*boxes):
-    """These boxes beside each other as one mesh, of one box with its faces, whose nodes and tets are numbered at random."""
-    seed = random.randrange(2 ** 32)
-    print("seed", seed)
-    shuffle = random.Random(seed).shuffle
-    nodes, tets, all_of = [], [], boxes[0]
-    for k, box in enumerate(boxes):
-        tets += [[len(nodes) + n for n in tet] for tet in box.tets]
-        nodes += [(x + 0.1 * k, y, z) for x, y, z in box.nodes]
-    order = list(range(len(nodes)))
-    shuffle(order), shuffle(tets)
-    number = {old: new for new, old in enumerate(order)}
-    all_of.nodes = [nodes[old] for old in order]
-    all_of.tets, all_of.far = [[number[n] for n in tet] for tet in tets], []
-    all_of.faces = {name: [[number[n] for n in face] for face in faces] if len(boxes) == 1 else [] for name, faces in all_of.faces.items()}
-    return all_of
 
 
 def a_mesh_of_ones_own_has_the_files_of_one_process():
@@ -81,15 +63,6 @@ def a_case_has_the_files_of_one_process():
             assert steps == case_record(wanted)[0] and len(steps) == 3 and ranks["count"] == count and ranks["messages"] > 0, ranks
             heights = [row.split(",")[-1] for row in (found / "probes.csv").read_text().splitlines()[1:]]
             assert len(set(heights)) == 3, heights
-
-
-def case_record(folder):
-    """The steps of a case without times, and what crossed."""
-    run_json = json.loads((folder / "run.json").read_text())
-    for step in run_json["steps"]:
-        for line in (step, *step["newton"]):
-            line.pop("seconds"), line.pop("warm_seconds", None)
-    return run_json["steps"], run_json.get("ranks")
 
 
 def a_case_that_one_rank_cannot_read_ends_all():

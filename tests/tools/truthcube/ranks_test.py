@@ -59,7 +59,6 @@ def what_several_ranks_do_not_have_is_refused():
     """One sentence with a remedy, once, before anything is made or written."""
     out = FOLDER / "refused"
     for status, words, said in (
-            (1, ("--scene", "everything"), "several ranks do not have --scene everything; write --scene quasistatic"),
             (1, ("--scene", "linear-elastic", "--preconditioner", "schwarz"), "do not have --scene linear-elastic --preconditioner schwarz; take --preconditioner "),
             (1, ("--scene", "implicit-dynamics", "--precision", "double"), "do not have --scene implicit-dynamics with the arrays of the scene everything; take the cube, of stable"),
             (None, ("--scene", "linear-elastic", "--device", "cuda"), "do not have --scene linear-elastic on CUDA; write --scene quasistatic|no device cuda. This build has cpu"),
@@ -76,9 +75,6 @@ def what_several_ranks_do_not_have_is_refused():
         found, _, errors = run(*command(2, "--cells", cells, "--compress", "0.1", "--out", str(out)))
         assert found == 1 and len(re.findall("several ranks do not have multigrid over one level of at most 125 nodes, which is inverted as a whole; take more cells or another preconditioner, or solve in one process", errors)) == 1, (found, errors)
         assert not any(out.iterdir()), list(out.iterdir())
-    case = pathlib.Path(__file__).parents[3] / "tools" / "examples" / "softbody" / "case.json"
-    found, output, errors = run(MPIRUN, "--oversubscribe", "-n", "2", TRUTHCUBE, "--case", str(case))
-    assert found == 1 and not output and len(re.findall("do not have --scene everything; write --scene quasistatic", errors)) == 1, errors
 
 
 def ranks_with_other_options_are_refused():

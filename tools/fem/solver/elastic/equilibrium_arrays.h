@@ -145,12 +145,6 @@ struct EquilibriumOver : Body {
   [[nodiscard]] MaterialRange material_range(std::size_t m) const {
     return materials.empty() ? MaterialRange{0, tet_count(), 0, this->volumes.size()} : materials[m];
   }
-  /// The material of all tets of a chunk.
-  [[nodiscard]] std::size_t material_of(const TetChunk& chunk) const {
-    std::size_t m = 0;
-    while (m + 1 < materials.size() && materials[m].last_tet <= chunk.first_tet) ++m;
-    return m;
-  }
   /// As one chunk. @pre the tangents of all tets are kept
   [[nodiscard]] TetChunk all_tets() const { return {0, tet_count(), 0, nodes(), 0, 0}; }
   [[nodiscard]] index_t bytes() const {

@@ -79,9 +79,8 @@ class MaterialSteps {
   void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
     // Apart from the sum, in which a device forms fewer terms at once.
     const auto evaluate = [&](std::size_t m, const MaterialRange& range, const VolumeTerm& volume, const auto& kernel) {
-      on.run(range.volumes(), kernel);
-      on.reduce(range.volumes(),
-                MeanVolumeEnergy{range.first_volume, volume.law, volume.modulus, a.volumes.const_view()}, Sum{},
+      on.run(a.volumes.size(), kernel);
+      on.reduce(a.volumes.size(), MeanVolumeEnergy{range, volume.law, volume.modulus, a.volumes.const_view()}, Sum{},
                 StoreVolumetric{a.state.view(), m == 0});
     };
     const auto of_patches = [&](auto& p) {
@@ -89,8 +88,8 @@ class MaterialSteps {
         const VolumeTerm& volume = volumes_[m];
         evaluate(
             m, range, volume,
-            EvaluatePatches{range.first_volume, volume.law, volume.modulus, restart, p.patch_tets.const_view(),
-                            a.tets.const_view(), a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
+            EvaluatePatches{range, volume.law, volume.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
+                            a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
       });
     };
     const auto at_nodes = [&](auto& rings) {  // of one material
@@ -105,28 +104,27 @@ class MaterialSteps {
   template <class On, class Arrays, class Positions>
   void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
-      const std::size_t m = a.material_of(chunk);
-      const MaterialRange range = a.material_range(m);
-      on.reduce_part({chunk.first_tet - range.first_tet, chunk.tets(), range.tets()},
-                     ComputeTetForces{chunk, materials_[m], pressures, a.tets.const_view(), a.rest.const_view(),
-                                      positions, a.chunk_arrays->corners.view()},
-                     Sum{}, StoreElasticEnergy{a.state.view(), m == 0});
+      on.reduce_part(
+          {chunk.first_tet, chunk.tets(), a.tet_count()},
+          ComputeTetForces{chunk, materials_[static_cast<std::size_t>(chunk.material)], pressures, a.tets.const_view(),
+                           a.rest.const_view(), positions, a.chunk_arrays->corners.view()},
+          Sum{}, StoreElasticEnergy{a.state.view(), chunk.material == 0});
     });
   }
   template <class On, class Arrays>
   void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) {
     with_pressures(a, [&](const auto& pressures) {
-      on.run(chunk.tets(),
-             ComputeTetTangents{chunk, filter, materials_[a.material_of(chunk)], pressures, a.tets.const_view(),
-                                a.rest.const_view(), a.positions.const_view(), a.chunk_arrays->tangent.view()});
+      on.run(chunk.tets(), ComputeTetTangents{chunk, filter, materials_[static_cast<std::size_t>(chunk.material)],
+                                              pressures, a.tets.const_view(), a.rest.const_view(),
+                                              a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
   template <class On, class Arrays, class Stresses>
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) {
     with_pressures(a, [&](const auto& pressures) {
       a.each_material([&](std::size_t m, const MaterialRange& range) {
-        on.run(range.tets(), EvaluateStress{range.first_tet, materials_[m], pressures, a.tets.const_view(),
-                                            a.rest.const_view(), a.positions.const_view(), stresses.view()});
+        on.run(a.tet_count(), EvaluateStress{range, materials_[m], pressures, a.tets.const_view(), a.rest.const_view(),
+                                             a.positions.const_view(), stresses.view()});
       });
     });
   }

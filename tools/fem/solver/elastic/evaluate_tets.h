@@ -13,6 +13,7 @@
 namespace physgen::fem {
 
 using math::cast;
+using math::select;
 
 /// The tets' volume is part of the material.
 struct NoMeanPressures {
@@ -119,8 +120,8 @@ PHYSGEN_FUNCTION inline Vector3<S> with_pressure(Vector3<S> g, const S& pressure
 
 }  // namespace detail
 
-/// Forces of a chunk of tets on their corners. Returns the tets' energy [J]: of the shear alone where volumes are
-/// averaged. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
+/// Forces of a chunk of tets on their corners. Returns the energy [J] of those of its material: of the shear alone
+/// where volumes are averaged. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
 template <class Material, class Pressures, class TetView, class RestView, class PositionView, class CornerView>
 struct ComputeTetForces {
   using Scalar = typename CornerView::Precision;
@@ -135,6 +136,8 @@ struct ComputeTetForces {
   template <class I>
   PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
     using S = lanes_t<Scalar, I>;
+    const auto own = chunk.template own<S>(i);
+    if (!any(i, own)) return S(Scalar(0));
     const auto t = object_of_part(chunk.first_tet, i);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
@@ -147,7 +150,7 @@ struct ComputeTetForces {
     PHYSGEN_UNROLL
     for (int c = 0; c < 3; ++c) ug.col(c) = tet.f.U.col(c) * (g[c] * minus_volume);
     forces[i].G() = multiply_transpose<S>(ug, tet.gradients());
-    return tet.shape.volume * material.energy(tet.f.s);
+    return select(own, S(tet.shape.volume * material.energy(tet.f.s)), S(Scalar(0)));
   }
 };
 
@@ -168,6 +171,7 @@ struct ComputeTetTangents {
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
     using Real = typename TangentView::Precision;
+    if (!any(i, chunk.template own<S>(i))) return;
     const auto t = object_of_part(chunk.first_tet, i);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     PrincipalDerivative<S> d = material.derivative(tet.f.s);

@@ -15,8 +15,8 @@ void advance_pressures(On& on, Arrays& a, const Evaluate& evaluator, const Displ
   const auto of_patches = [&](auto& p) {
     a.each_material([&](std::size_t m, const MaterialRange& range) {
       const VolumeTerm volume = evaluator.volume(m);
-      on.run(range.volumes(), AdvancePatches{range.first_volume, volume.law, volume.modulus, a.volumes.view(),
-                                             p.nodes.const_view(), p.tangent.const_view(), dx});
+      on.run(a.volumes.size(), AdvancePatches{range, volume.law, volume.modulus, a.volumes.view(), p.nodes.const_view(),
+                                              p.tangent.const_view(), dx});
     });
   };
   const auto at_nodes = [&](auto& rings) {

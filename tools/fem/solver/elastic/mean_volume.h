@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/kernels/tet.h>
+#include <fem/solver/elastic/tet_chunks.h>
 #include <fem/solver/material_split.h>
 #include <physgen/kernel.h>
 
@@ -73,13 +74,14 @@ PHYSGEN_FUNCTION inline void advance(VolumeLaw law, Scalar modulus, Scalar chang
 template <class MeanVolumeView>
 struct MeanVolumeEnergy {
   using Scalar = typename MeanVolumeView::Precision;
-  index_t first;  ///< volume of this material
+  MaterialRange range;  ///< of the material, whose volumes alone have this energy
   VolumeLaw law;
   Scalar modulus;          ///< lambda or kappa [Pa]
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
   PHYSGEN_FUNCTION Scalar operator()(SingleObject auto i) const {
-    const auto mean = volumes[object_of_part(first, i)];
+    if (!range.has_volume(object_number(i))) return Scalar(0);
+    const auto mean = volumes[i];
     const Scalar pressure = mean.pressure();
     const Scalar stress = law == VolumeLaw::logarithmic ? pressure * Scalar(mean.ratio()) : pressure;
     return modulus != Scalar(0) ? Scalar(0.5) * Scalar(mean.volume()) * stress * (stress / modulus) : Scalar(0);

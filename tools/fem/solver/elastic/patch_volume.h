@@ -12,7 +12,7 @@ namespace physgen::fem {
 template <class PatchTets, class TetView, class RestView, class PositionView, class MeanVolumeView, class TangentView>
 struct EvaluatePatches {
   using Scalar = typename MeanVolumeView::Precision;
-  index_t first;  ///< patch of this material
+  MaterialRange range;  ///< of the material, whose patches alone are evaluated
   VolumeLaw law;
   Scalar modulus;          ///< lambda or kappa [Pa]
   bool restart;            ///< the linearised pressure begins anew, at that of the forces
@@ -23,8 +23,8 @@ struct EvaluatePatches {
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume, of which `linearised` is read unless restart; written
   TangentView tangent;     ///< quasistatic::PatchTangent, written
 
-  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
-    const auto p = object_of_part(first, i);
+  PHYSGEN_FUNCTION void operator()(SingleObject auto p) const {
+    if (!range.has_volume(object_number(p))) return;
     using Real = typename TangentView::Precision;
     const auto g = tangent[p].g();
     g.setZero();
@@ -57,7 +57,7 @@ struct EvaluatePatches {
 template <class MeanVolumeView, class NodesView, class TangentView, class DisplacementView>
 struct AdvancePatches {
   using Scalar = typename MeanVolumeView::Precision;
-  index_t first;  ///< patch of this material
+  MaterialRange range;  ///< of the material, whose patches alone move
   VolumeLaw law;
   Scalar modulus;                  ///< lambda or kappa [Pa]
   MeanVolumeView volumes;          ///< quasistatic::MeanVolume
@@ -65,8 +65,8 @@ struct AdvancePatches {
   TangentView tangent;             ///< quasistatic::PatchTangent
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: dx
 
-  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
-    const auto p = object_of_part(first, i);
+  PHYSGEN_FUNCTION void operator()(SingleObject auto p) const {
+    if (!range.has_volume(object_number(p))) return;
     Scalar change = 0;  // g . dx
     const auto names = nodes[p].nodes();
     const auto g = tangent[p].g();

@@ -33,15 +33,18 @@ std::vector<MaterialRange> material_ranges(const MeshLevel& level) {
 std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges, index_t most,
                                       std::span<const Index> material_ends) {
   const auto tets = static_cast<index_t>(mesh.tets.size());
+  const auto materials = std::max<index_t>(static_cast<index_t>(material_ends.size()), 1);
   std::vector<TetChunk> chunks;
-  index_t last = 0;
-  for (index_t first = 0; first < tets; first = last) {
-    const auto material = std::ranges::upper_bound(material_ends, static_cast<Index>(first));
-    last = std::min(first + most, material == material_ends.end() ? tets : index_t{*material});
-    chunks.push_back(make_tet_chunk(
-        first, last, mesh.nodes, static_cast<index_t>(edges.size()),
-        [&](index_t t) { return mesh.tets[static_cast<std::size_t>(t)]; },
-        [&](index_t e) { return index_t{edges[static_cast<std::size_t>(e)][0]}; }));
+  MaterialRange own{0, 0, 0, 0};
+  for (index_t m = 0; m < materials; ++m) {
+    own.first_tet = own.last_tet;
+    own.last_tet = material_ends.empty() ? tets : index_t{material_ends[static_cast<std::size_t>(m)]};
+    for (index_t first = 0; first < tets; first += most) {
+      chunks.push_back(make_tet_chunk(
+          own, m, first, std::min(first + most, tets), mesh.nodes, static_cast<index_t>(edges.size()),
+          [&](index_t t) { return mesh.tets[static_cast<std::size_t>(t)]; },
+          [&](index_t e) { return index_t{edges[static_cast<std::size_t>(e)][0]}; }));
+    }
   }
   return chunks;
 }

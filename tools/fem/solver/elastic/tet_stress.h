@@ -9,7 +9,7 @@ namespace physgen::fem {
 template <class Material, class Pressures, class TetView, class RestView, class PositionView, class StressView>
 struct EvaluateStress {
   using Scalar = typename StressView::Precision;
-  index_t first;           ///< tet of this material
+  MaterialRange range;     ///< of the material, whose tets alone have this stress
   Material material;       ///< in Scalar
   Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
@@ -17,9 +17,9 @@ struct EvaluateStress {
   PositionView positions;  ///< elasticity::NodePosition, current
   StressView stresses;     ///< elasticity::Stress, written
 
-  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto t) const {
     using S = Scalar;
-    const auto t = object_of_part(first, i);
+    if (!range.has_tet(object_number(t))) return;
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Pressures::averages) {

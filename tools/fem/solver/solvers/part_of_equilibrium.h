@@ -4,6 +4,7 @@
 
 #include <fem/solver/levels/distributed_levels.h>
 #include <fem/solver/solvers/chunks_of_part.h>
+#include <fem/solver/solvers/names_of_lists.h>
 #include <fem/solver/solvers/solver_program.h>
 #ifdef __CUDACC__
 #include <physgen/distributed/cuda/executor.h>
@@ -11,57 +12,12 @@
 #include <physgen/distributed/executor.h>
 #endif
 
-#include <array>
 #include <functional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
-
-/// Adds to the number of a code. @tparam Packing of it
-template <class Packing>
-inline constexpr auto add_to_code = [](auto& entry, Index number) { entry.code += number << Packing::bits; };
-
-/// The entries of each row, by numbers of all.
-/// @param objects, elements those that have rows, and that entries name
-/// @param add add(entry, number) adds to the number of what an entry names
-template <class Ranges, class Entries, class Add>
-[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries, const ListedObjects& objects,
-                           const ListedObjects& elements, const Add& add) {
-  return [=, ranges = ranges.const_view(), entries = entries.const_view()](index_t number) {
-    const auto row = ranges[objects.here(number)];
-    return MadeEntries(row.begin(), row.end(), [=](index_t k) {
-      auto entry = entries.get(k);
-      add(entry, static_cast<Index>(elements.offset));
-      return entry;
-    });
-  };
-}
-/// The same where the rows of all are here.
-template <class Ranges, class Entries>
-[[nodiscard]] auto rows_of(const Ranges& ranges, const Entries& entries) {
-  return rows_of(ranges, entries, {}, {}, [](auto& /*entry*/, Index /*number*/) {});
-}
-/// The nodes that an object names, by numbers of all.
-template <int kCount, class Array>
-[[nodiscard]] auto nodes_of(const Array& array, const ListedObjects& objects = {}, const ListedObjects& nodes = {}) {
-  return [=, view = array.const_view()](index_t number) {
-    const auto object = view[objects.here(number)];
-    std::array<Index, kCount> named{};
-    for (int k = 0; k < kCount; ++k) {
-      named[static_cast<std::size_t>(k)] = object.nodes()[k] + static_cast<Index>(nodes.offset);
-    }
-    return named;
-  };
-}
-/// The patch that an object names, likewise.
-template <class Array>
-[[nodiscard]] auto patch_of(const Array& array, const ListedObjects& objects, const ListedObjects& patches) {
-  return [=, view = array.const_view()](index_t number) {
-    return std::array<Index, 1>{view[objects.here(number)].patch() + static_cast<Index>(patches.offset)};
-  };
-}
 
 /// Names of the sets of a mesh.
 struct MeshSets {
@@ -215,6 +171,7 @@ struct PartOfEquilibrium {
   std::vector<Level> levels;
   decltype(Part::krylov) krylov;
   MeshFacts facts;
+  std::vector<MaterialRange> materials;  ///< where there are several
 
   /// @param whole of the same mesh on each rank. Where its volumes are not averaged, patches have no objects
   /// @param cut the finest so many levels are cut
@@ -292,7 +249,9 @@ struct PartOfEquilibrium {
     facts.plane_stiffness = whole.facts.plane_stiffness;
     facts.rounding_force = whole.facts.rounding_force;
     facts.moves = whole.facts.moves;
-    facts.chunks = chunks_of_part<Choices::assembled>(arrays.transport(), body, levels.front().edges.contents());
+    if constexpr (requires { whole.materials; }) materials = materials_of(arrays, body, whole.materials);
+    facts.chunks =
+        chunks_of_part<Choices::assembled>(arrays.transport(), body, levels.front().edges.contents(), materials);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <fem/solver/solvers/part_of_equilibrium.h>
 #include <fem/solver/solvers/whole_body.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -32,6 +33,7 @@ struct PartOfRank {
   using WholeMesh = QuasistaticMesh<Host, Scene>;
   using Part = PartOfEquilibrium<WholeBody<Scene>, QuasistaticBody<Space, Scene>>;
   std::vector<Mesh> coarser;
+  std::vector<typename QuasistaticBody<Space, Scene>::Planes> planes;  ///< of the level of each mesh, or none
   elasticity::StressArray<double, Space> stresses_of_tets;
   std::unique_ptr<Part> finest;
   std::unique_ptr<On> on;
@@ -39,15 +41,17 @@ struct PartOfRank {
   /// @param add_besides adds what a scene has besides, before the arrays are cut
   PartOfRank(const Ranks& ranks, WholeBody<Scene>& whole, const DistributedOptions& options,
              const std::function<void(DistributedArrays& arrays)>& add_besides = {})
-      : coarser(whole.coarser.size()) {
+      : coarser(whole.coarser.size()), planes(whole.planes.size()) {
     const InStage stage("parts of ranks");
     const auto add_more = [&](auto& part) {
       part.arrays.add("stresses.of_tets", "tet", stresses_of_tets);
       if constexpr (is_nested) add_coarser(part, whole);
+      add_planes(part.arrays, whole);
       if (add_besides) add_besides(part.arrays);
     };
     finest = std::make_unique<Part>(ranks, table(), whole, whole.cut, add_more, [&whole] { whole.release_lists(); });
     finest->facts.all_prescribed = whole.facts.all_prescribed;
+    fill_planes(whole);
     if constexpr (is_nested) fill_coarser(whole);
     on = std::make_unique<On>(ranks, finest->arrays, options);
   }
@@ -72,6 +76,7 @@ struct PartOfRank {
   static constexpr bool assembled = Mesh::Choices::assembled;
   static constexpr bool is_nested = !may_have<decltype(Mesh::Types::Level::inertia)>;  // bodies that move are not
   static constexpr bool has_patches = !std::is_same_v<decltype(Mesh::patches), NoArrays>;
+  static constexpr bool has_planes = !std::is_same_v<typename QuasistaticBody<Space, Scene>::Planes, NoArrays>;
 
   static HaloUses table() {
     static const std::vector<HaloUse> rows = with_halos_of_levels(halos_of<Scene>());
@@ -106,10 +111,12 @@ struct PartOfRank {
       fill_mesh(finest->arrays, mesh.body, mesh.krylov, whole.coarser[k].body, nodes);
       if constexpr (!assembled) fill_level_by_tets(finest->arrays, finest->levels[k + 1], whole.graphs[k + 1], nodes);
       mesh.facts.rounding_force = facts.rounding_force;
+      mesh.facts.plane_stiffness = facts.plane_stiffness;
       mesh.facts.moves = facts.moves;
       mesh.facts.all_prescribed = facts.all_prescribed;
-      mesh.facts.chunks =
-          chunks_of_part<assembled>(finest->arrays.transport(), mesh.body, finest->levels[k + 1].edges.contents());
+      mesh.materials = materials_of(finest->arrays, mesh.body, whole.coarser[k].materials);
+      mesh.facts.chunks = chunks_of_part<assembled>(finest->arrays.transport(), mesh.body,
+                                                    finest->levels[k + 1].edges.contents(), mesh.materials);
     }
   }
   /// Level k + 1 of tangents that are not assembled, and the parents of level k.
@@ -146,6 +153,29 @@ struct PartOfRank {
         add_edge_patches(arrays, number, level + ".edge", patch, mesh.patches, whole.patches, listed);
       } else {
         add_node_patches(arrays, number, sets.node, patch, mesh.patches, whole.patches, listed);
+      }
+    }
+  }
+  /// Of the rigid planes, which all ranks have.
+  void add_planes(DistributedArrays& arrays, const WholeBody<Scene>& whole) {
+    if constexpr (has_planes) {
+      if (!planes.empty()) arrays.add_replicated_set("plane", whole.planes.front().planes.size());
+      for (std::size_t l = 0; l < planes.size(); ++l) {
+        const std::string of_planes = "planes" + in_brackets(l) + ".", node = "level" + in_brackets(l) + ".node";
+        arrays.add(of_planes + "stiffness", node, planes[l].stiffness);
+        if (l > coarser.size()) continue;
+        arrays.add(of_planes + "planes", "plane", planes[l].planes.contents());
+        arrays.add(of_planes + "areas", node, planes[l].areas.contents());
+      }
+    }
+  }
+  /// Where equilibrium is sought. Behind cut().
+  void fill_planes(const WholeBody<Scene>& whole) {
+    if constexpr (has_planes) {
+      for (std::size_t l = 0; l < std::min(planes.size(), 1 + coarser.size()); ++l) {
+        finest->arrays.fill(planes[l].planes.contents(), whole.planes[l].planes);
+        finest->arrays.fill(planes[l].areas.contents(), whole.planes[l].areas);
+        planes[l].contact.resize(1);
       }
     }
   }

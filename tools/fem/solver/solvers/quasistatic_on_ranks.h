@@ -16,7 +16,7 @@
 
 namespace physgen::fem {
 
-/// @tparam On DistributedExecutor @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES
+/// @tparam On DistributedExecutor @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES, or EverythingOnRanks
 template <class On, class Scene = scenes::quasistatic>
 class QuasistaticOnRanks final : public SolverOnRanks,
                                  private detail::PartOfRank<On, Scene>,
@@ -31,6 +31,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using Nested::last_reaction_;
   using Nested::linear_;
   using Nested::load_;
+  using Nested::plane_contacts_of;
   using Nested::reached_;
   using Nested::settings_;
   using Nested::solved_;
@@ -54,13 +55,26 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     Nested::take(*finest);
     for (Mesh& mesh : coarser) Nested::take(mesh);
     Nested::take_levels(*finest);
+    for (std::size_t l = 0; l < linear_.size(); ++l) {
+      linear_[l]->is_grid = whole.graphs[l].is_grid;
+      linear_[l]->lies_in_grid = !whole.graphs[l].grid_parents.empty();
+    }
+    if constexpr (may_have<decltype(Level::planes)>) {
+      for (std::size_t l = 0; l < PartOfRank::planes.size(); ++l) {
+        linear_[l]->planes = std::make_unique<GroupOf<decltype(Level::planes)>>(std::move(PartOfRank::planes[l]));
+        if (l <= coarser.size())
+          linear_[l]->planes->per_area = (l == 0 ? finest->facts : coarser[l - 1].facts).plane_stiffness;
+      }
+      has_planes_ = !PartOfRank::planes.empty();
+    }
+    reached_ = !has_planes_;  // planes may push at rest
   }
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     return Nested::solve_to(load, report);
   }
   void set_loading(const Loading& loading) override {
-    require_next_loading(loading, fixed_.front().size(), false, {});
+    require_next_loading(loading, fixed_.front().size(), has_planes_, {});
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
       fill_loading(finest->arrays, arrays_[l]->motion, arrays_[l]->loads, fixed_[l], motion, forces);
@@ -75,12 +89,13 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   [[nodiscard]] std::vector<Point> forces() override { return forces_of(0); }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
-    return NodeState{positions_of(1), forces_of(1), {}};
+    return NodeState{positions_of(1), forces_of(1), plane_contacts_of(1)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     Nested::evaluate_stresses(load_, stresses_of_tets);
     return of_all_ranks<9>(stresses_of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
   }
+  [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
   [[nodiscard]] index_t bytes() const override {
     index_t sum = stresses_of_tets.bytes();
     for (const auto& level : linear_) sum += level->bytes();
@@ -126,7 +141,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   }
 
  private:
-  bool is_first_;
+  bool is_first_, has_planes_ = false;
   // As WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
   std::vector<std::vector<std::array<Index, 2>>> parents_;

@@ -27,6 +27,9 @@ namespace physgen::fem {
 void require_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
                           const SolverSettings& settings);
 
+/// @throw Error as make_solver() does, but for a device or memory that is not there
+void require_solver(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings);
+
 /// Motion of the scene implicit_dynamics: of stable Neo-Hookean bodies, in float, whose volumes are those of tets or
 /// patches, by every preconditioner of assembled products on meshes without extra arrays.
 /// @throw Error naming what settings, levels or loading ask for that it has not; and as make_implicit_solver() does

@@ -37,12 +37,13 @@ class SolverParts {
       : SolverParts(loading, settings, levels_in_use(levels, settings)) {}
 
   /// The arrays of a mesh that are made.
-  /// @param groups its body, patches or NoArrays, chunk, krylov, and facts
+  /// @param groups its body, materials, patches or NoArrays, chunk, krylov, and facts
   template <class Groups>
   void take(Groups& groups) {
     arrays_.push_back(std::make_unique<Arrays>(std::move(groups.body)));
     Arrays& arrays = *arrays_.back();
     arrays.chunks = groups.facts.chunks;
+    arrays.materials = groups.materials;
     arrays.chunk_arrays = std::make_shared<decltype(groups.chunk)>(std::move(groups.chunk));
     if constexpr (may_have<decltype(arrays.patches)>) {
       if (arrays.volumes.size() > 0) {

@@ -192,6 +192,10 @@ void require_scene_solver(const std::string& scene, const std::vector<MeshLevel>
   require_nonlinear(levels, loading, settings);
 }
 
+void require_solver(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
+  require_nonlinear(levels, loading, with_largest(settings));
+}
+
 std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
                                                      const Loading& loading, const SolverSettings& settings) {
   if (!levels.empty() && levels.front().axes) {

@@ -5,6 +5,7 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <string>
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
 #include <fem/solver/linear/performed_steps.h>
 #include <fem/solver/solvers/quasistatic_on_ranks_cuda.h>
@@ -16,6 +17,27 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error("several ranks do not have " + what + ", or solve in one process");
+}
+
+/// Of a preconditioner that has arrays of its own beside those of levels.
+void refuse_more_arrays(const SolverSettings& settings) {
+  const PreconditionerRow& preconditioner = row_of(settings.newton.preconditioner.kind);
+  if ((preconditioner.asked & asks::arrays) != 0) {
+    refuse("the " + std::string(preconditioner.title) + " preconditioner; take another");
+  }
+}
+
+/// @throw Error naming what the scene everything has in one process alone
+void require_everything_on_ranks(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                 const SolverSettings& settings) {
+  if (settings.device != Device::cpu) refuse("the scene everything on CUDA; choose the scene quasistatic");
+  if (settings.precision == TangentPrecision::float64) refuse("tangents in double; take them in float or half");
+  if (settings.newton.product != Product::assembled) {
+    refuse("the matrix-free product of the scene everything; choose the assembled one");
+  }
+  refuse_more_arrays(settings);
+  if (levels.front().averages_at_nodes) refuse("volumes averaged at nodes; average them over patches");
+  if (!loading.pressures.empty()) refuse("pressures that follow the surface; give them as forces at rest");
 }
 
 /// @throw Error naming what one process has, and several ranks have not
@@ -44,7 +66,13 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
                                                     const std::vector<MeshLevel>& levels, const Loading& loading,
                                                     const SolverSettings& settings, std::optional<index_t> replicated,
                                                     const DistributedOptions& options) {
-  require_scene_solver(scene, levels, loading, settings);
+  const bool is_everything = scene == "everything";
+  if (is_everything) {
+    require_solver(levels, loading, settings);
+    require_everything_on_ranks(levels, loading, settings);
+  } else {
+    require_scene_solver(scene, levels, loading, settings);
+  }
   require_parts(levels, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   if (settings.device == Device::cuda) {
@@ -54,6 +82,9 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
         ranks, WholeBody<scenes::quasistatic>(ranks, levels, loading, settings, replicated), settings, options);
   }
 #endif
+  if (is_everything) {
+    return make_everything_on_ranks(ranks, levels, loading, with_largest(settings), replicated, options);
+  }
 #define PHYSGEN_ON_RANKS(scene, ...) &make_##scene##_on_ranks,
   constexpr MakeSolverOnRanks* make[] = {PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_ON_RANKS)};
 #undef PHYSGEN_ON_RANKS
@@ -79,10 +110,7 @@ std::unique_ptr<SolverOnRanks> make_linear_solver_on_ranks(const Ranks& ranks, c
   require_linear_solver(levels, loading, settings);
   require_parts(levels, settings);
   require_on_cpu("linear_elastic", settings);
-  const PreconditionerRow& preconditioner = row_of(settings.newton.preconditioner.kind);
-  if ((preconditioner.asked & asks::arrays) != 0) {
-    refuse("a " + std::string(preconditioner.title) + " preconditioner; take another one");
-  }
+  refuse_more_arrays(settings);
   if (std::ranges::any_of(levels, &MeshLevel::is_grid)) {
     refuse(
         "linear elastic bodies with levels of a background grid; give meshes whose coarsest is small, or another "

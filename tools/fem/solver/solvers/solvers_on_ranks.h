@@ -13,13 +13,15 @@
 
 namespace physgen::fem {
 
-/// Equilibria of one of the scenes of make_scene_solver() by name; on CUDA of quasistatic, where each rank takes a
-/// device and sums are formed in a fixed order, so that they have the bits of one rank. bytes() are those of this rank.
+/// Equilibria of one of the scenes of make_scene_solver() by name, or of "everything", as of make_solver(); on CUDA of
+/// quasistatic, where each rank takes a device and sums are formed in a fixed order, so that they have the bits of one
+/// rank. bytes() are those of this rank.
 /// @param levels the same on all ranks, as loading and settings. Of a box a rank makes the lists of its part alone, and
 /// those of levels that are cut may be missing (cube_levels.h); of other meshes it has those of the whole for a while
 /// @param replicated as levels_that_are_cut() takes it
-/// @throw Error as make_scene_solver(); and for supports along axes of their own, for multigrid over one level that is
-/// inverted as a whole, which one process has, and where ranks would share a GPU
+/// @throw Error as make_scene_solver() or make_solver(); of everything for what of it one process alone has; and for
+/// supports along axes of their own, for multigrid over one level that is inverted as a whole, which one process has,
+/// and where ranks would share a GPU
 [[nodiscard]] std::unique_ptr<SolverOnRanks> make_solver_on_ranks(
     const Ranks& ranks, const std::string& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
     const SolverSettings& settings, std::optional<index_t> replicated = {}, const DistributedOptions& options = {});
@@ -43,6 +45,7 @@ using MakeSolverOnRanks = std::unique_ptr<SolverOnRanks>(const Ranks& ranks, con
                                                          const DistributedOptions& options);
 #define PHYSGEN_DECLARE_ON_RANKS(scene, ...) MakeSolverOnRanks make_##scene##_on_ranks;
 PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_DECLARE_ON_RANKS)
+MakeSolverOnRanks make_everything_on_ranks;
 #undef PHYSGEN_DECLARE_ON_RANKS
 MakeSolverOnRanks make_linear_elastic_on_ranks;
 /// Likewise: see implicit_on_ranks.cpp.

@@ -23,36 +23,40 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// The group of arrays that a scene has of patches, or NoArrays.
-template <class Patches>
-struct PatchGroup {
+/// The group of arrays that an Optional of a scene is over, or NoArrays.
+template <class Optional>
+struct OwnGroup {
   using type = NoArrays;
 };
-template <class Group>
-struct PatchGroup<std::unique_ptr<PatchesOver<Group>>> {
+template <template <class> class Over, class Group>
+struct OwnGroup<std::unique_ptr<Over<Group>>> {
   using type = Group;
 };
 
 }  // namespace detail
 
 /// A mesh on which equilibrium is sought: the whole one, or what a rank has of it.
-/// @tparam Space of its arrays @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES
+/// @tparam Space of its arrays @tparam Scene of a row of PHYSGEN_EQUILIBRIUM_SCENES, or EverythingOnRanks
 template <class Space, class Scene = scenes::quasistatic>
 struct QuasistaticMesh {
   using Types = SceneTypes<SceneArrays<Scene, Space>>;
   using Choices = typename Types::Level::Choices;
   using Chunk = typename decltype(Types::Arrays::chunk_arrays)::element_type;
   typename Types::Arrays::Own body;
-  typename detail::PatchGroup<decltype(Types::Arrays::patches)>::type patches;
+  typename detail::OwnGroup<decltype(Types::Arrays::patches)>::type patches;
   Chunk chunk;
   typename Types::Vectors krylov;
   MeshFacts facts;
+  std::vector<MaterialRange> materials;  ///< where there are several
 };
 
 /// With its levels.
 template <class Space, class Scene = scenes::quasistatic>
 struct QuasistaticBody : QuasistaticMesh<Space, Scene> {
-  std::vector<typename QuasistaticMesh<Space, Scene>::Types::Level::Own> levels;
+  using Level = typename QuasistaticMesh<Space, Scene>::Types::Level;
+  using Planes = typename detail::OwnGroup<decltype(Level::planes)>::type;
+  std::vector<typename Level::Own> levels;
+  std::vector<Planes> planes;  ///< of the level of each mesh, where the body may touch some; else none
 };
 
 /// Without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
@@ -73,10 +77,12 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
   WholeBody(const Ranks& ranks, const std::vector<MeshLevel>& given, const Loading& loading,
             const SolverSettings& settings, std::optional<index_t> replicated) {
     const InStage stage("arrays of meshes");
-    const auto [used, solved] = used_levels(settings, given.size(), given.size());
+    const auto meshes = static_cast<std::size_t>(std::ranges::find_if(given, &MeshLevel::is_grid) - given.begin());
+    const auto [used, solved] = used_levels(settings, given.size(), meshes);
     std::vector<index_t> nodes;
     for (const MeshLevel& level : given) nodes.push_back(level.is_grid() ? 0 : level.mesh.nodes);
     cut = levels_cut_by_solver(nodes, settings, ranks.count(), replicated);
+    const bool has_planes = !loading.planes.empty();
     PartOfLevels part = part_of_levels(std::span(given).first(used), cut, ranks.rank(), ranks.count(), assembled);
     graphs = std::move(part.graphs);
     listed = std::move(part.listed);
@@ -96,17 +102,21 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
       };
       store_loading(arrays, here.fixed, here_of(motion), here_of(forces));
       Mesh& mesh = l == 0 ? *this : coarser[l - 1];
-      mesh.facts.rounding_force = rounding_force(settings, level, motion, false, mean_spacing(level.mesh, level.rest));
-      mesh.facts.moves = std::ranges::any_of(level.fixed, [](std::uint8_t held) { return held != 0; });
+      const double spacing = mean_spacing(level.mesh, level.rest);
+      mesh.facts.rounding_force = rounding_force(settings, level, motion, has_planes, spacing);
+      mesh.facts.plane_stiffness = settings.plane_stiffness * settings.youngs_modulus / spacing;
+      mesh.facts.moves = has_planes || std::ranges::any_of(level.fixed, [](std::uint8_t held) { return held != 0; });
       mesh.facts.all_prescribed = std::ranges::all_of(level.fixed, [](std::uint8_t held) { return held == 7; });
       where(arrays.patches, [&](auto& over) { mesh.patches = std::move(static_cast<decltype(mesh.patches)&>(over)); });
       mesh.body = std::move(static_cast<typename Arrays::Own&>(arrays));
+      mesh.materials = arrays.materials;
       if (is_part) part.levels[l] = {};
       fixed.push_back(level.fixed);
       if (l + 1 == solved) break;
       parents.push_back(level.parents);
       coarsen_loading(level.parents, given[l + 1].mesh.nodes, motion, forces);
     }
+    if (has_planes) make_planes(std::span(given).first(std::min(used, meshes)), loading.planes);
   }
   /// Keeps what arrays are filled with behind cut().
   void release_lists() {
@@ -123,6 +133,18 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
   }
 
  private:
+  /// The planes, and the areas of all nodes where equilibrium is sought.
+  void make_planes(std::span<const MeshLevel> given, const std::vector<RigidPlane>& of_loading) {
+    if constexpr (may_have<decltype(WholeBody::Level::planes)>) {
+      using Over = GroupOf<decltype(WholeBody::Level::planes)>;
+      for (std::size_t l = 0; l < given.size(); ++l) {
+        typename WholeBody::Planes& planes = this->planes.emplace_back();
+        if (l > coarser.size()) continue;
+        planes = Over(given[l], of_loading, 0);
+        planes.stiffness = decltype(planes.stiffness)();
+      }
+    }
+  }
   static void release_lists_of(Mesh& mesh) {
     typename Arrays::Own kept;
     kept.rest = std::move(mesh.body.rest);
