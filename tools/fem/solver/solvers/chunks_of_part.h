@@ -57,7 +57,7 @@ template <class Body>
 /// Of the arrays of a rank, by its own numbers. All ranks have as many chunks, so that they run the same steps: the
 /// first of each material have no tets where another rank has more.
 /// @tparam kAssembled whether tangents are assembled at edges @param edges of the level
-/// @param materials by the same numbers; none where there is one
+/// @param materials by the same numbers; none where there is one, as on CUDA
 template <bool kAssembled, class Body, class Edges>
 [[nodiscard]] std::vector<TetChunk> chunks_of_part(Transport& transport, const Body& body, const Edges& edges,
                                                    const std::vector<MaterialRange>& materials = {}) {
