@@ -1,5 +1,5 @@
-"""What crosses between ranks in three scenes, and before which step: exchanges_test.py FORCE_CHAIN RELAX QUASISTATIC, a
-NAME.need.json of each.
+"""What crosses between ranks in three scenes, and before which step: exchanges_test.py ON|OFF FORCE_CHAIN RELAX QUASISTATIC, whether
+kernels of CUDA are among their steps, and a NAME.need.json of each.
 
 The tables below are read against what physgen has found of the scenes' kernels. A line that is indented is a row: the step, the fields of
 other objects that it reads, so that they cross before it where they are stale, and the index field that finds those objects. Other lines
@@ -48,8 +48,6 @@ The stiffness of an edge is summed over its tets and patches; that of a coarse e
 
 Scaled blocks of an edge are of what holds its nodes, and of their scales.
   ScaleEdges: level.constraints.fixed, level.scales.scale through level.edges.nodes
-  AtEntries: level.edge_stiffness.E, level.edges.nodes through level.node_edge_entries.code
-  AtEntries: level.constraints.fixed, level.scales.scale through level.edges.nodes
 
 Between two meshes a node reads its parents, and a coarse node its children.
   InterpolateCorrection: level.correction.dx, level.scales.scale through level.parents.nodes
@@ -61,11 +59,9 @@ Between two meshes a node reads its parents, and a coarse node its children.
 A product reads its vector at both ends of an edge, which it is performed with: of the direction, the smoother's vectors, and the power
 iteration's.
   lambda in add_edges: krylov.direction.dx, krylov.product.df through level.edges.nodes
-  lambda in add_edges: level.direction.dx, level.residual.df, level.power.dx through level.edges.nodes
-  lambda in add_edges: level.edges.nodes, level.edge_stiffness.E, level.scaled_edges.E through numbers that it forms
+  lambda in add_edges: level.direction.dx, level.residual.df through level.edges.nodes
   lambda in multiply: krylov.direction.dx, krylov.residual.df, level.power.dx, level.residual.df through level.edges.nodes
   lambda in multiply: level.node_stiffness.K, level.scaled_nodes.K through level.edges.nodes
-  lambda in multiply: level.edges.nodes, level.edge_stiffness.E through numbers that it forms
 
 The smoother's bounds are one record of a level, which all ranks have, as they have the coarsest mesh, whose inverse is dense.
   BeginChebyshev: level.smoother.largest through numbers that it forms
@@ -73,9 +69,21 @@ The smoother's bounds are one record of a level, which all ranks have, as they h
   NormalisePower: level.smoother.length through numbers that it forms
   ApplyCoarseInverse: level.coarse_inverse.G, level.residual.df through numbers that it forms
   lambda in invert_coarsest: level.constraints.fixed, level.node_stiffness.K, level.scales.scale through level.edges.nodes
-  lambda in invert_coarsest: level.coarse_inverse.G, level.edge_stiffness.E, level.edges.nodes through numbers that it forms
+  lambda in invert_coarsest: level.edge_stiffness.E, level.edges.nodes through numbers that it forms
+"""
 
-On CUDA small meshes, which all ranks have, are cycled through in one kernel, and their products go by rows.
+QUASISTATIC_ON_CUDA = """
+Products and the coarsest inverse are kernels there that find edges and pairs of nodes by numbers which they form.
+  lambda in add_edges: level.power.dx through level.edges.nodes
+  lambda in add_edges: level.edges.nodes, level.edge_stiffness.E, level.scaled_edges.E through numbers that it forms
+  lambda in multiply: level.edges.nodes, level.edge_stiffness.E through numbers that it forms
+  lambda in invert_coarsest: level.coarse_inverse.G through numbers that it forms
+
+Scaled blocks of small meshes stand at the entries of rows, where edges are looked up.
+  AtEntries: level.edge_stiffness.E, level.edges.nodes through level.node_edge_entries.code
+  AtEntries: level.constraints.fixed, level.scales.scale through level.edges.nodes
+
+Small meshes, which all ranks have, are cycled through in one kernel, and their products go by rows.
   lambda in cycle_at_once: level.child_entries.code, level.child_ranges.begin, level.child_ranges.end through numbers that it forms
   lambda in cycle_at_once: level.coarse_inverse.G, level.direction.dx, level.inverse.D, level.parents.nodes through numbers that it forms
   lambda in cycle_at_once: level.scaled_edges.E, level.scaled_nodes.K, level.smoother.largest through numbers that it forms
@@ -111,7 +119,8 @@ def found(file):
 
 def main():
     wrong = []
-    for table, file in zip((FORCE_CHAIN, RELAX, QUASISTATIC), map(pathlib.Path, sys.argv[1:]), strict=True):
+    quasistatic = QUASISTATIC + (QUASISTATIC_ON_CUDA if sys.argv[1] == "ON" else "")
+    for table, file in zip((FORCE_CHAIN, RELAX, quasistatic), map(pathlib.Path, sys.argv[2:]), strict=True):
         exchanges, unknown = found(file)
         wanted = expected(table)
         assert wanted, file
