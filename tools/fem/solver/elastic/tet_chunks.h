@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
@@ -33,6 +34,7 @@ struct TetChunk {
   /// Which of the tets first_tet + i are.
   template <class S, class I>
   [[nodiscard]] PHYSGEN_FUNCTION auto own(const I& i) const {
+    static_assert(std::is_same_v<RealOf<S>, double>, "float has no number for each tet of a large chunk");
     const S number = math::to_real<S>(numbers(i));
     return number >= S(RealOf<S>(first_own - first_tet)) && number < S(RealOf<S>(last_own - first_tet));
   }
