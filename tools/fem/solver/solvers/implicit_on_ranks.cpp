@@ -5,18 +5,30 @@
 #include <fem/solver/solvers/part_of_rank.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 #include <implicit_dynamics.halos.h>
+#include <quasistatic.halos.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
+/// The program of the scene evaluates no stresses; their rows are those of quasistatic, which has the same arrays.
 template <>
 inline HaloUses halos_of<scenes::implicit_dynamics>() {
-  return scenes::implicit_dynamics_scene::halos;
+  static const std::vector<HaloUse> rows = [] {
+    std::vector<HaloUse> all(std::begin(scenes::implicit_dynamics_scene::halos),
+                             std::end(scenes::implicit_dynamics_scene::halos));
+    std::ranges::copy_if(scenes::quasistatic_scene::halos, std::back_inserter(all), [](const HaloUse& row) {
+      return row.kernel == std::string_view("physgen::fem::EvaluateStress");
+    });
+    return all;
+  }();
+  return rows;
 }
 
 namespace {
