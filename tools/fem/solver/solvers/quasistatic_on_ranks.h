@@ -41,6 +41,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   using PartOfRank::finest;
   using PartOfRank::on;
   using PartOfRank::stresses_of_tets;
+  using typename Nested::Level;
   using typename PartOfRank::Mesh;
 
  public:
