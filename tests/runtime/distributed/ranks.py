@@ -9,7 +9,7 @@ ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROO
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMP_NUM_THREADS="1",
                    ASAN_OPTIONS="detect_leaks=0",  # MPI has some
                    PHYSGEN_STARTED_BY=str(os.getpid()))
-SECONDS = 120  # what takes longer hangs
+SECONDS = 240  # what takes longer hangs
 
 
 def run(*command, environment=None):
