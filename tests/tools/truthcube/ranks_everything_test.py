@@ -38,6 +38,16 @@ def the_default_scene_has_the_files_of_one_process():
             expect_same(wanted, begun)
 
 
+def parts_of_a_first_step_have_the_files_of_one_process():
+    """Where the first step of a load would turn tets over, parts of it are taken, and the rest behind them."""
+    words = ("--cells", "16", "--grading", "1.8", "--poisson", "0.4999", "--stepping", "loads", "--tolerance", "1e-2", "--compress", "0.15", "--out")
+    wanted, found = FOLDER / "parts", FOLDER / "parts_ranks"
+    printed = without_times(done(0, *on(1, *words, str(wanted))))
+    assert re.search(r"^ +1 .*shortened", "\n".join(printed), re.M), printed
+    assert without_times(done(0, *on(2, *words, str(found)))) == printed
+    expect_same(wanted, found)
+
+
 def meshes_and_cases_have_the_files_of_one_process():
     """On a background grid, in a law of the case, in several materials, and with coarser meshes."""
     shuffled(Box(13)).write(FOLDER / "mesh.msh")
