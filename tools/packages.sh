@@ -41,8 +41,8 @@ as_root() {
 # or rights, what to do by hand is said instead.
 update_package_lists() {
   local by_hand="install by hand: apt-get install --no-install-recommends $*"
-  have apt-get || fail "no apt-get here; missing packages: $*"
-  as_root true || fail "neither root, nor let in by sudo; $by_hand"
+  have apt-get || fail "there is no apt-get here; install these packages by hand: $*"
+  as_root true || fail "packages need root or sudo; $by_hand"
   as_root apt-get -qq -o DPkg::Lock::Timeout=300 update >&2 || say 'apt-get update failed; going on with the old lists'
 }
 
