@@ -1,4 +1,5 @@
 // physbench: measures the kernels of the paper, and others, in every layout. See README.md for what the columns mean.
+#include <fem/mesh/nearest_name.h>
 #include <malloc.h>
 #include <physgen/error.h>
 #include <physgen/threads.h>
@@ -100,7 +101,7 @@ void say_none_matched(const Options& options, const std::vector<Row>& rows) {
   std::ranges::transform(rows, std::back_inserter(names), [](const Row& row) { return row.name(); });
   std::string word = options.filter;
   std::erase_if(word, [](char c) { return std::string_view("^$.*()\\").find(c) != std::string_view::npos; });
-  const std::string near = nearest(word, names);
+  const std::string near = fem::nearest_name(word, names);
   std::cerr << "physbench: no row of the group '" << options.group << "' matches '" << options.filter << "'"
             << (near.empty() ? "" : "; the nearest name is " + near) << "; --benchmark_list_tests lists all\n";
   if (rows.empty())

@@ -1,12 +1,12 @@
 // Reads the command line.
 #include "options.h"
 
+#include <fem/mesh/nearest_name.h>
 #include <physgen/error.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <numeric>
 #include <regex>
 
 namespace physgen::bench {
@@ -54,7 +54,7 @@ const Group& find_group(const std::string& name) {
   if (found != groups.end()) return *found;
   std::vector<std::string> names;
   std::ranges::transform(groups, std::back_inserter(names), &Group::name);
-  const std::string near = nearest(name, names);
+  const std::string near = fem::nearest_name(name, names);
   throw Error("there is no group '" + name + "'" + (near.empty() ? ";" : "; did you mean '" + near + "'?") +
               " physbench --help lists them");
 }
@@ -69,27 +69,6 @@ std::vector<Row> filtered(std::vector<Row> rows, const std::string& filter) try 
 } catch (const std::regex_error& error) {
   throw Error("--benchmark_filter=" + filter + " is not a regular expression (" + error.what() +
               "); write a backslash before brackets and dots");
-}
-
-std::string nearest(const std::string& word, const std::vector<std::string>& words) {
-  std::string best;
-  std::size_t least = word.size() / 2 + 1;
-  for (const std::string& other : words) {
-    // Levenshtein's distance, by rows.
-    std::vector<std::size_t> row(other.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= word.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i;
-      for (std::size_t k = 1; k <= other.size(); ++k) {
-        const std::size_t changed = diagonal + (word[i - 1] == other[k - 1] ? 0 : 1);
-        diagonal = row[k];
-        row[k] = std::min({changed, row[k] + 1, row[k - 1] + 1});
-      }
-    }
-    if (row.back() < least) least = row.back(), best = other;
-  }
-  return best;
 }
 
 Options parse(const std::vector<std::string>& arguments) {
@@ -140,7 +119,7 @@ Options parse(const std::vector<std::string>& arguments) {
       for (const auto& [name, group] : own) {
         for (const CLI::Option* option : group->get_options()) flags.push_back("--" + option->get_lnames().front());
       }
-      const std::string near = nearest(flag.substr(0, flag.find('=')), flags);
+      const std::string near = fem::nearest_name(flag.substr(0, flag.find('=')), flags);
       throw Error("there is no flag " + flag + (near.empty() ? ";" : "; did you mean " + near + "?") +
                   " physbench --help lists them");
     }

@@ -29,7 +29,4 @@ struct Options {
 /// @throw Error where the filter is no regular expression
 [[nodiscard]] std::vector<Row> filtered(std::vector<Row> rows, const std::string& filter);
 
-/// The word that looks most like `word`; empty where none does.
-[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& words);
-
 }  // namespace physgen::bench

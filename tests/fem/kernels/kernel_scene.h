@@ -29,8 +29,6 @@ struct KernelCase {
   using Space = Space_;
   using Layout = Layout_;
   using Model = Model_<Real_>;
-  template <class R>
-  using ModelOf = Model_<R>;
 };
 
 namespace reference {

@@ -15,7 +15,6 @@
 namespace physgen::fem {
 namespace {
 
-using Strings = std::vector<std::string>;
 double area_mean(const GroupedBar& bar, const std::string& group, const std::vector<Point>& positions, std::size_t k) {
   const auto areas = surface_areas(bar.levels[0].rest, bar.group(group).faces);
   double sum = 0, area = 0;
