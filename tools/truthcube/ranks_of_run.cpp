@@ -40,6 +40,14 @@ std::string allowed_set() {
   throw Error("several ranks do not have " + what + "; " + remedy + ", or start one process, without mpirun");
 }
 
+[[noreturn]] [[maybe_unused]] void refuse_without_clang() {
+  refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
+}
+
+std::string in_case(const Options& options, const std::string& key) {
+  return " (" + key + " of the case " + options.case_file.string() + ")";
+}
+
 /// @throw Error naming what one process alone has of the scene everything
 void require_everything_on_ranks(const Options& options) {
   const fem::SolverSettings& solver = options.solver;
@@ -54,10 +62,8 @@ void require_everything_on_ranks(const Options& options) {
     refuse("--precision double", "write --precision float");
   }
   if (options.volume == VolumeTreatment::nodes) refuse("--volume nodes", "write --volume patches");
-  if (!options.is_case()) return;
-  const std::string place = "of the case " + options.case_file.string();
   if (std::ranges::any_of(options.given_case.load_case.pressures, &fem::GroupPressure::follows)) {
-    refuse("pressures that follow the surface (loads " + place + ")", "remove \"follows\"");
+    refuse("pressures that follow the surface" + in_case(options, "loads"), "remove \"follows\"");
   }
 }
 
@@ -65,7 +71,7 @@ void require_everything_on_ranks(const Options& options) {
 
 void require_on_ranks(const Options& options) {
 #ifndef PHYSGEN_TRUTHCUBE_HAS_RANKS
-  refuse("a solver in this build, which was made without Clang", "build physgen where LLVM is installed");
+  refuse_without_clang();
 #endif
   const bool on_cuda = options.solver.device == fem::Device::cuda;
   const std::string scene = "--scene " + name_of(scene_kinds, options.scene);
@@ -80,6 +86,11 @@ void require_on_ranks(const Options& options) {
            "take the cube, of stable-neo-hookean material, in float, without --volume nodes and --plates contact, and "
            "with --preconditioner " +
                fem::preconditioners_without(fem::asks::arrays));
+  }
+  const auto has_axis = [](const fem::Support& support) { return support.axis.has_value(); };
+  if (std::ranges::any_of(options.given_case.load_case.supports, has_axis)) {
+    refuse("supports along other axes than x, y and z" + in_case(options, "supports"),
+           "turn the mesh so that they lie along these, and write \"fixed\"");
   }
   if (options.scene == SceneKind::everything) require_everything_on_ranks(options);
 }
@@ -235,13 +246,13 @@ void RanksOfRun::count(RunRecord& record) const {
 std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const Options& /*options*/,
                                                                 const std::vector<fem::MeshLevel>& /*levels*/,
                                                                 const fem::Loading& /*loading*/) {
-  throw Error("this build has no solver on several ranks");
+  refuse_without_clang();
 }
 std::unique_ptr<fem::DynamicSolver> RanksOfRun::make_motion(const Options& /*options*/,
                                                             const std::vector<fem::MeshLevel>& /*levels*/,
                                                             const fem::Loading& /*loading*/,
                                                             const fem::DynamicSettings& /*settings*/) {
-  throw Error("this build has no solver on several ranks");
+  refuse_without_clang();
 }
 std::size_t RanksOfRun::levels_without_lists(const Options& /*options*/,
                                              const std::vector<LevelCounts>& /*counts*/) const {

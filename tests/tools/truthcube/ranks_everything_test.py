@@ -78,12 +78,17 @@ def what_one_process_alone_has_of_it_is_refused():
     shuffled(Box(3)).write(FOLDER / "case.msh")
     case = {"mesh": "case.msh", "material": {"young": 2e4, "poisson": 0.45}, "supports": [{"group": "z0"}]}
     (FOLDER / "follows.json").write_text(json.dumps(case | {"loads": [{"group": "z1", "pressure": 100, "follows": True}]}))
+    axis = {"supports": [{"group": "z0"}, {"group": "z1", "axis": [1, 1, 0]}], "loads": [{"group": "z1", "traction": [0, 0, -1]}]}
+    (FOLDER / "axis.json").write_text(json.dumps(case | axis))
+    of_axis = r"supports along other axes than x, y and z \(supports of the case \S*axis.json\); turn the mesh so that they lie along these, and write \"fixed\""
     end = ", or start one process, without mpirun"
     for words, said in (
             (("--precision", "double"), "--precision double; write --precision float" + end),
             (("--volume", "nodes"), "--volume nodes; write --volume patches" + end),
             (("--preconditioner", "schwarz"), "--preconditioner schwarz; write --preconditioner multigrid" + end),
             (("--product", "matrix-free", "--preconditioner", "block-jacobi"), "--product matrix-free of --scene everything"),
+            (("--case", str(FOLDER / "axis.json")), of_axis + end),
+            (("--case", str(FOLDER / "axis.json"), "--scene", "quasistatic", "--preconditioner", "block-jacobi"), of_axis + end),
             (("--case", str(FOLDER / "follows.json")), r"pressures that follow the surface \(loads of the case \S*follows.json\); remove \"follows\"" + end)):
         status, output, errors = run(*on(2, *words, "--out", str(out)))
         assert status == 1 and not output and not out.exists(), (words, status, output, errors)

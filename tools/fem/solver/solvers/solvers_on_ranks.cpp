@@ -19,7 +19,7 @@ namespace {
   throw Error("several ranks do not have " + what + ", or solve in one process");
 }
 
-/// Of a preconditioner that has arrays of its own beside those of levels.
+/// @throw Error for a preconditioner that has arrays of its own beside those of levels
 void refuse_more_arrays(const SolverSettings& settings) {
   const PreconditionerRow& preconditioner = row_of(settings.newton.preconditioner.kind);
   if ((preconditioner.asked & asks::arrays) != 0) {
@@ -40,9 +40,16 @@ void require_everything_on_ranks(const std::vector<MeshLevel>& levels, const Loa
   if (!loading.pressures.empty()) refuse("pressures that follow the surface; give them as forces at rest");
 }
 
+/// In one process make_solver() turns the body for them. To be called before checks that one process makes of what is
+/// turned. @throw Error where supports have axes of their own
+void refuse_axes(const std::vector<MeshLevel>& levels) {
+  if (!levels.empty() && levels.front().axes) {
+    refuse("supports along other axes than x, y and z; turn the body so that they lie along these");
+  }
+}
+
 /// @throw Error naming what one process has, and several ranks have not
 void require_parts(const std::vector<MeshLevel>& levels, const SolverSettings& settings) {
-  if (levels.front().axes) refuse("supports along axes of their own; turn the body");
 #ifndef PHYSGEN_SOLVER_HAS_CUDA
   if (settings.device != Device::cpu) refuse_cuda();
 #endif
@@ -53,7 +60,7 @@ void require_parts(const std::vector<MeshLevel>& levels, const SolverSettings& s
   }
 }
 
-/// Of a scene that is on CPUs alone.
+/// For a scene that several ranks have on CPUs alone. @throw Error for another device
 void require_on_cpu(const std::string& scene, const SolverSettings& settings) {
   if (settings.device != Device::cpu) {
     refuse("the scene " + scene + " on CUDA; choose the scene quasistatic, or the device cpu");
@@ -66,6 +73,7 @@ std::unique_ptr<SolverOnRanks> make_solver_on_ranks(const Ranks& ranks, const st
                                                     const std::vector<MeshLevel>& levels, const Loading& loading,
                                                     const SolverSettings& settings, std::optional<index_t> replicated,
                                                     const DistributedOptions& options) {
+  refuse_axes(levels);
   const bool is_everything = scene == "everything";
   if (is_everything) {
     require_solver(levels, loading, settings);
@@ -107,6 +115,7 @@ std::unique_ptr<SolverOnRanks> make_linear_solver_on_ranks(const Ranks& ranks, c
                                                            const Loading& loading, const SolverSettings& settings,
                                                            std::optional<index_t> replicated,
                                                            const DistributedOptions& options) {
+  refuse_axes(levels);
   require_linear_solver(levels, loading, settings);
   require_parts(levels, settings);
   require_on_cpu("linear_elastic", settings);
