@@ -33,7 +33,7 @@ std::int64_t cuda_memory() {
   }
   return static_cast<std::int64_t>(free);
 #else
-  throw Error("this build has no CUDA");
+  throw Error("this build has no CUDA; configure it with -DPHYSGEN_CUDA=ON, or use --device cpu");
 #endif
 }
 

@@ -61,18 +61,19 @@ void check(const Options& options) {
     check_grading(options.cells, options.grading);
   }
   const double nu = options.solver.poissons_ratio;
-  require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio is above -1 and below 0.5");
+  require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio must be above -1 and below 0.5");
   const double young = options.solver.youngs_modulus;
-  require(young > 0 && std::isfinite(young), "--young " + number(young) + ": Young's modulus is a positive number");
+  require(young > 0 && std::isfinite(young),
+          "--young " + number(young) + ": Young's modulus must be a positive number");
   const double tolerance = options.solver.newton.tolerance;
   require(tolerance >= 1e-14 && tolerance <= 0.1,
-          "--tolerance " + number(tolerance) + ": the residual's tolerance is a number from 1e-14 to 0.1");
+          "--tolerance " + number(tolerance) + ": the residual's tolerance must be a number from 1e-14 to 0.1");
   const double stiffness = options.solver.plane_stiffness;
   require(stiffness >= 1e-3 && stiffness <= 1e4,
-          "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e4");
+          "--plate-stiffness " + number(stiffness) + ": the stiffness of plates must be a number from 0.001 to 1e4");
   require(options.plate_tolerance >= 0 && options.plate_tolerance <= largest_plate_tolerance,
           "--plate-tolerance " + number(options.plate_tolerance) +
-              ": how far from their planes plates hold nodes is a number of mean edge lengths from 0 to " +
+              ": the distance within which plates hold nodes must be a number of mean edge lengths from 0 to " +
               number(largest_plate_tolerance) + "; " + number(default_plate_tolerance) + " is common");
   check_motion(options.motion);
   double before = 0;
@@ -123,9 +124,9 @@ Options parse(const std::vector<std::string>& arguments) {
   const auto* grading =
       app.add_option(
              "--grading", options.grading,
-             "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
-             "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
-             "cells the larger G is, and solves take longer")
+             "how much the cells of the cube narrow towards all faces, where errors come from: corner k of N/2 lies "
+             "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 a larger G brings beads nearer to those of finer "
+             "cells, and solves take longer")
           ->type_name("G");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1; physgen-convert-mesh makes one of .inp, "
@@ -172,7 +173,7 @@ Options parse(const std::vector<std::string>& arguments) {
   const auto* plate_tolerance =
       app.add_option(
              "--plate-tolerance", options.plate_tolerance,
-             "of a mesh: plates hold the nodes that lie within T mean edge lengths of its lowest and highest, 0 "
+             "the plates of a mesh hold the nodes that lie within T mean edge lengths of its lowest and highest, 0 "
              "to 0.5; a warning says where others lie just beyond")
           ->type_name("T");
   app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
@@ -248,8 +249,8 @@ Options parse(const std::vector<std::string>& arguments) {
       ->check(whole_number(0, 4096))
       ->type_name("N");
   app.add_option("--replicate", options.replicate,
-                 "of several ranks: coarser meshes of more than N nodes are cut among them, too; 0: those of more than "
-                 "50653 nodes, and of eight blocks of 2048 nodes a rank")
+                 "with several ranks: coarser meshes of more than N nodes are cut among them, too; 0: those that have "
+                 "more than 50653 nodes, and eight blocks of 2048 nodes for each rank")
       ->check(whole_number(0, 2147483647))
       ->type_name("N");
   app.add_flag("--timings", options.timings,
@@ -277,9 +278,9 @@ Options parse(const std::vector<std::string>& arguments) {
                                                       "everything made; remove " + flag);
   }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
-          "--plate-stiffness is that of --plates contact, which is missing");
+          "--plate-stiffness requires --plates contact; add it, or remove --plate-stiffness");
   require(plate_tolerance->count() == 0 || !options.is_cube(),
-          "--plate-tolerance is for a mesh of your own: the faces of the cube are flat");
+          "--plate-tolerance is for a mesh of your own: the faces of the cube are flat; remove --plate-tolerance");
   require(output->count() == 0 || !options.out.empty(),
           "--output says what the files in --out DIR have; add --out, or remove --output");
   check_order(options, order->count() > 0);

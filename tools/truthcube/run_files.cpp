@@ -39,9 +39,10 @@ bool is_writable(const std::filesystem::path& folder) { return ::access(folder.c
 void require_writable(const std::filesystem::path& folder) {
   std::error_code code;
   std::filesystem::create_directories(folder, code);
-  if (code) throw Error("cannot make the folder " + folder.string() + ": " + code.message());
+  if (code) throw Error("cannot make the folder " + folder.string() + ": " + code.message() + "; choose another --out");
   if (!is_writable(folder)) {
-    throw Error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno));
+    throw Error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno) +
+                "; choose another --out");
   }
 }
 
@@ -147,7 +148,7 @@ fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& 
   for (const auto& level : state.positions) wanted += 3 * level.size();
   if (wanted != checkpoint.positions.size()) {
     throw Error("the checkpoint has " + std::to_string(checkpoint.positions.size()) +
-                " coordinates, and these meshes " + std::to_string(wanted));
+                " coordinates, and these meshes " + std::to_string(wanted) + "; run again without --restart");
   }
   auto number = checkpoint.positions.begin();
   for (auto& level : state.positions) {

@@ -80,7 +80,7 @@ void apply_motion(Options& options, const Given& given) {
   if (!given("--compress")) options.compressions = {options.compressions.back()};
   if (options.compressions.size() != 1) {
     throw Error(scene_name(options) + " moves the plate to one compression, and --compress has " +
-                std::to_string(options.compressions.size()));
+                std::to_string(options.compressions.size()) + "; give one");
   }
 }
 
@@ -138,13 +138,13 @@ void apply_scene(Options& options, const Given& given) {
 void check_motion(const MotionOptions& motion) {
   const auto require_positive = [](const char* flag, double value, const char* what) {
     if (value > 0 && std::isfinite(value)) return;
-    throw Error(std::string(flag) + " " + number(value) + ": " + what + " is a positive number");
+    throw Error(std::string(flag) + " " + number(value) + ": " + what + " must be a positive number");
   };
   require_positive("--duration", motion.duration, "the time of the motion, in seconds,");
   require_positive("--density", motion.density, "the density, in kg/m^3,");
   if (motion.time_step != 0) require_positive("--time-step", motion.time_step, "the time step, in seconds,");
   if (!(motion.damping >= 0) || !std::isfinite(motion.damping)) {
-    throw Error("--damping " + number(motion.damping) + ": the damping, in 1/s, is 0 or a positive number");
+    throw Error("--damping " + number(motion.damping) + ": the damping, in 1/s, must be 0 or a positive number");
   }
 }
 

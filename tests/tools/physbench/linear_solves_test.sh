@@ -55,7 +55,7 @@ case $rule in
     expect_refused 'cells: Value 0 not in range' --cells 0
     expect_refused 'the plates hold every node' --cells 4 1
     expect_refused 'cells 5: an odd number of cells has no coarser mesh' --cells 5
-    expect_refused "Poisson's ratio is above -1 and below 0.5" --poisson 0.45 0.5
+    expect_refused "Poisson's ratio must be above -1 and below 0.5" --poisson 0.45 0.5
     expect_refused "Poisson's ratio" --poisson nan
     expect_refused '--tolerance 0' --tolerance 0
     expect_refused '--compress 1' --compress 1

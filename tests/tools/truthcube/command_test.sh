@@ -108,7 +108,7 @@ case $rule in
     expect_refused 'refine is for a mesh' --refine 1
     expect_refused '--grading is for the cube: .*; remove --grading' --mesh a.msh --grading 1.5
     expect_refused 'plate-tolerance is for a mesh' --plate-tolerance 1e-3
-    expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
+    expect_refused 'plate-stiffness requires --plates contact; add it, or remove --plate-stiffness' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
     for flag in --dry-run --restart '--repeat 2' '--beads b.csv'; do

@@ -71,13 +71,14 @@ void add_solve_flags(CLI::App& app, SolveFlags& flags) {
 
 void check(const SolveFlags& flags) {
   for (const double nu : flags.poissons_ratios) {
-    require(nu > -1 && nu < 0.5, "--poisson " + std::to_string(nu) + ": Poisson's ratio is above -1 and below 0.5");
+    require(nu > -1 && nu < 0.5,
+            "--poisson " + std::to_string(nu) + ": Poisson's ratio must be above -1 and below 0.5");
   }
-  require(
-      flags.tolerance >= 1e-14 && flags.tolerance <= 0.1,
-      "--tolerance " + std::to_string(flags.tolerance) + ": the residual's tolerance is a number from 1e-14 to 0.1");
+  require(flags.tolerance >= 1e-14 && flags.tolerance <= 0.1,
+          "--tolerance " + std::to_string(flags.tolerance) +
+              ": the residual's tolerance must be a number from 1e-14 to 0.1");
   require(flags.compression >= 0 && flags.compression < 1,
-          "--compress " + std::to_string(flags.compression) + ": plate travel over height is from 0 to below 1");
+          "--compress " + std::to_string(flags.compression) + ": plate travel over height must be from 0 to below 1");
   for (const int cells : flags.cells) {
     truthcube::require_cube_fits(cells, flags.volume);
     require(cells > 1, "--cells 1: the plates hold every node; 2 cells have one that is free");

@@ -141,7 +141,8 @@ class Body {
     if (flags.compression > 0 && compressed_.empty()) {
       if (solver_->solve_to(flags.compression, {}).status != fem::NewtonStatus::converged) {
         solver_.reset();
-        throw Error("no equilibrium was found at a compression of " + std::to_string(flags.compression));
+        throw Error("no equilibrium was found at a compression of " + std::to_string(flags.compression) +
+                    "; take a smaller --compress");
       }
       compressed_ = solver_->positions();
     }
@@ -155,7 +156,7 @@ class Body {
     const VendorMeasurement solved = solve_by_vendor(stiffness, fixed(), force_, task, &step);
     return {solved.measured, 0, solved.product, solved.note};
 #else
-    throw Error("this build has no CUDA");
+    throw Error("this build has no CUDA; configure it with -DPHYSGEN_CUDA=ON");
 #endif
   }
 
