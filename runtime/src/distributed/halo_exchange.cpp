@@ -18,7 +18,7 @@ class HostExchange final : public HaloExchange {
 
   void begin(std::span<const HaloFetch> fetches) override {
     fetches_.assign(fetches.begin(), fetches.end());
-    // Of each rank's message the bytes; then where its next field lies.
+    // The bytes of each rank's message; then where its next field lies.
     sizes_.assign(sizes_.size(), {});
     each([&](const HaloPlan::Peer& peer, const UntypedArray&, const FieldInfo& info) {
       Places& of_rank = sizes_[static_cast<std::size_t>(peer.rank)];
@@ -121,7 +121,7 @@ class HostExchange final : public HaloExchange {
   Partition& arrays_;
   std::vector<HaloFetch> fetches_;
   std::vector<Places> sizes_;               ///< by rank
-  std::vector<std::byte> sent_, received_;  ///< of all ranks; they grow alone
+  std::vector<std::byte> sent_, received_;  ///< of all ranks; they only grow
 };
 
 }  // namespace

@@ -28,9 +28,9 @@ inline void move_bytes(std::byte* to, const std::byte* from, std::size_t bytes) 
   }
 }
 
-/// Of arrays whose records follow each other, the bytes of a message are object by object; of others, element by
-/// element of the field. Both ranks have arrays of the same layout; an array of one object may be either, and the bytes
-/// of one object are the same.
+/// Goes through the pieces of a field in an array and in a message. Where the records of an array follow each other,
+/// the message has the field object by object, and else element by element. Both ranks have arrays of the same layout;
+/// an array of one object may be either, and the bytes of one object are the same.
 /// @param place in the message: an address, or a number of bytes
 /// @param move move(address in the array, place, bytes)
 /// @return the place behind
@@ -70,10 +70,12 @@ Place for_each_piece(const UntypedArray& memory, const FieldInfo& info, const Ob
   return place;
 }
 
+/// Copies a field of some objects into a message. @return the place behind it in the message
 inline std::byte* pack(const UntypedArray& memory, const FieldInfo& info, const ObjectRuns& objects, std::byte* to) {
   return for_each_piece(memory, info, objects, to,
                         [](const std::byte* at, std::byte* in, std::size_t bytes) { move_bytes(in, at, bytes); });
 }
+/// Copies a field of some objects out of a message. @return the place behind it in the message
 inline const std::byte* unpack(const UntypedArray& memory, const FieldInfo& info, const ObjectRuns& objects,
                                const std::byte* from) {
   return for_each_piece(memory, info, objects, from,

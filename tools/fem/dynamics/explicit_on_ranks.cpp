@@ -69,7 +69,7 @@ struct PartOfExplicit {
   }
 
  private:
-  /// @param mesh what lists have of the whole
+  /// Adds and connects the arrays of the body. @param mesh what this rank's lists have of the whole mesh
   void add(const TetMesh& mesh, const ListedLevel& of) {
     for (const char* set : {"node", "row"}) arrays.add_set(set, of.nodes.size);
     for (const char* set : {"tet", "gathered_tet"}) arrays.add_set(set, of.tets.size);

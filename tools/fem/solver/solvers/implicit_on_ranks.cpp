@@ -38,7 +38,7 @@ using Scene = scenes::implicit_dynamics;
 using Types = QuasistaticMesh<Host, Scene>::Types;
 using Inertias = std::vector<scenes::implicit_dynamics_scene::Inertia<Host>>;
 
-/// Of the nodes of each level [kg]. @param used levels
+/// The masses of the nodes of the first `used` levels [kg], finest first. @param density [kg/m^3]
 std::vector<std::vector<double>> masses_of(const std::vector<MeshLevel>& levels, std::size_t used, double density) {
   std::vector<std::vector<double>> masses{lumped_masses(levels.front().mesh, levels.front().rest, density)};
   while (masses.size() < used) {
@@ -48,6 +48,7 @@ std::vector<std::vector<double>> masses_of(const std::vector<MeshLevel>& levels,
   return masses;
 }
 
+/// Adds the arrays of inertia of all levels. @param nodes of the whole finest mesh
 void add(DistributedArrays& arrays, Inertias& inertia, index_t nodes) {
   arrays.add_set("moving_node", nodes);
   arrays.same_set("moving_node", "node");
@@ -61,7 +62,7 @@ void add(DistributedArrays& arrays, Inertias& inertia, index_t nodes) {
 
 /// What a rank has of a body that moves.
 struct MovingPart {
-  std::vector<std::vector<double>> masses;  ///< of all nodes
+  std::vector<std::vector<double>> masses;  ///< of all nodes of each level [kg]
   Inertias inertia;
   detail::PartOfRank<On, Scene> of_body;
 

@@ -40,7 +40,7 @@ template <bool kAssembled>
 template <class Types>
 struct PartOfLinear {
   static constexpr bool assembled = Types::Level::Choices::assembled;
-  mutable DistributedArrays arrays;  // what is asked of all ranks goes by it
+  mutable DistributedArrays arrays;  // const functions, too, send messages by it
   typename Types::Body body;
   typename Types::Vectors vectors;
   std::vector<typename Types::Level::Own> levels;
@@ -102,7 +102,7 @@ struct PartOfLinear {
                                        [before = static_cast<Index>(tets.offset)](Index /*local*/) { return before; }),
         Packing::bits, rows.known);
   }
-  /// @param mesh what lists have of the whole
+  /// Adds and connects the arrays of the body. @param mesh what this rank's lists have of the whole mesh
   void add_body(const TetMesh& mesh, const ListedLevel& listed) {
     arrays.add("linear.tets", "tet", body.tets.contents());
     arrays.add("linear.rest", "tet", body.rest.contents());
