@@ -1,4 +1,4 @@
-// The explicit solver over one executor and in one precision: see dynamics.h. Compiled once for each.
+// The explicit solver over one executor and in one precision: see explicit.h. Compiled once for each.
 #pragma once
 
 #include <fem/dynamics/explicit_body.h>
@@ -16,7 +16,7 @@
 
 namespace physgen::fem {
 
-/// The steps of a body of one material.
+/// The steps of a body of one material, whichever it is.
 template <class On, class Body>
 struct ExplicitSteps {
   using Stresses = elasticity::StressArray<typename Body::Real, typename Body::Space>;

@@ -13,7 +13,7 @@
 
 namespace physgen::fem {
 
-/// Objects of the windows of a rank: those of a chunk. On CUDA there is one chunk for all, and no window.
+/// How many objects the windows of a rank have: those of a chunk. On CUDA there is one chunk for all, and no window: 0.
 /// @tparam Chunk with the arrays of Chunk in solver_groups.h
 template <class Chunk>
 [[nodiscard]] index_t most_of_window() {
@@ -44,7 +44,7 @@ template <class Chunk>
   return part;
 }
 
-/// Behind cut(). @param all by numbers of all
+/// The same of the arrays of a body. @pre cut() was called @param all by numbers of all
 template <class Body>
 [[nodiscard]] std::vector<MaterialRange> materials_of(const DistributedArrays& arrays, Body& body,
                                                       const std::vector<MaterialRange>& all) {
@@ -54,8 +54,8 @@ template <class Body>
                            averages ? &arrays.objects_of(body.volumes) : nullptr);
 }
 
-/// Of the arrays of a rank, by its own numbers. All ranks have as many chunks, so that they run the same steps: the
-/// first of each material have no tets where another rank has more.
+/// The chunks of a rank's tets, by its own numbers. All ranks have equally many, so that they run the same steps: the
+/// first chunks of each material have no tets where another rank has more.
 /// @tparam kAssembled whether tangents are assembled at edges @param edges of the level
 /// @param materials by the same numbers; none where there is one, as on CUDA
 template <bool kAssembled, class Body, class Edges>

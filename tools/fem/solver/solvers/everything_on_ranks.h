@@ -10,7 +10,7 @@
 
 namespace physgen::fem {
 
-/// In place of a scene with a row: see SceneArrays.
+/// Names the arrays of the scene everything where others are named by a scene with a row: see SceneArrays.
 /// @tparam Real of the tangent @tparam Stored how preconditioners store their matrices
 template <class Real, class Stored>
 struct EverythingOnRanks {};
@@ -30,7 +30,7 @@ struct SceneArrays<EverythingOnRanks<Real_, Stored>, Space_> {
   using Vectors = scenes::everything_scene::Krylov<Space, Real>;
 };
 
-/// In each material.
+/// The types of a solver over these arrays, in each material.
 template <class Real, class Stored, class Space>
 struct SceneTypes<SceneArrays<EverythingOnRanks<Real, Stored>, Space>>
     : SceneArrays<EverythingOnRanks<Real, Stored>, Space> {

@@ -34,7 +34,7 @@ class ImplicitSteps : protected SolverParts<On, Types> {
   using Parts::settings_;
   using Parts::vectors_;
 
-  /// @pre there is inertia
+  /// A time step of a length [s] to a load. Without an equilibrium the state is as before. @pre there is inertia
   NewtonResult step(double length, double load) {
     require_step(length, load);
     NewtonSettings newton = settings_.newton;

@@ -26,7 +26,7 @@ class LinearSolves {
   using Level = typename Types::Level;
   using Vectors = typename Types::Vectors;
 
-  /// The caller makes the arrays.
+  /// The caller makes the arrays. @param rounding_force [N], up to which forces count as rounding
   LinearSolves(std::unique_ptr<On> on, const SolverSettings& settings, double rounding_force)
       : settings_(settings),
         on_(std::move(on)),

@@ -94,7 +94,7 @@ class NestedNewton : protected SolverParts<On, Types> {
     on_->run(a.nodes(), ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(),
                                          level.constraints.const_view(), a.positions.const_view(), a.increment.view()});
   }
-  /// Of the motion from where the load increment began.
+  /// Averages at nodes the gradients of the motion from where the load increment began.
   void average_gradients(Arrays& a) {
     on_->run(a.nodes(), AverageMotionGradients{a.node_tets.const_view(), a.tets.const_view(), a.rest.const_view(),
                                                a.kept.const_view(), a.positions.const_view(), node_matrices(a)});
@@ -117,7 +117,7 @@ class NestedNewton : protected SolverParts<On, Types> {
                 StoreSmallestRatio{a.state.view()});
     return on_->value(a.state).smallest_ratio;
   }
-  /// To a load, from the equilibrium that is kept: nested, or by the increment inside the first linear solve.
+  /// Seeks the equilibrium of a load from the kept one: nested, or by the increment inside the first linear solve.
   NewtonResult solve_increment(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
     NewtonResult total;
     for (std::size_t l = solved_; l-- > 0;) {

@@ -36,7 +36,7 @@ template <std::size_t kCount, class Array, class Element>
   return all;
 }
 
-/// Of what the first rank has of all objects, that of those that are here, by local numbers.
+/// Gives each rank the vectors of its objects, by local numbers. @param all of all objects, on the first rank alone
 [[nodiscard]] inline std::vector<Point> of_first_rank(const DistributedArrays& arrays, const LocalSet& objects,
                                                       std::span<const Point> all) {
   constexpr index_t most = (index_t{64} << 20) / index_t{sizeof(Point)};
@@ -90,7 +90,7 @@ void fill_loading(DistributedArrays& arrays, Motion& motion, Loads& loads, std::
   arrays.fill(loads.contents(), all.loads);
 }
 
-/// What the sets of a mesh's nodes and tets are here.
+/// Counts what this rank has of a mesh. @param nodes, tets the sets of the mesh
 [[nodiscard]] inline PartOfMesh part_of(const LocalSet& nodes, const LocalSet& tets) {
   const auto ghosts = [](const LocalSet& set) { return static_cast<index_t>(set.ghosts().size()); };
   std::set<int> neighbours;
@@ -123,7 +123,7 @@ template <class On>
 [[nodiscard]] std::vector<std::string> unknown_kernels_of(const On& on) {
   return {on.unknown_kernels().begin(), on.unknown_kernels().end()};
 }
-/// By what messages go.
+/// The name of what messages go by.
 template <class On>
 [[nodiscard]] std::string transport_of(const On& on) {
   if constexpr (requires { on.transport_name(); }) return on.transport_name();

@@ -19,11 +19,11 @@
 
 namespace physgen::fem {
 
-/// Names of the sets of a mesh.
+/// Names of the sets of a mesh; tets of chunks, and those whose tangents are kept, may be counted apart.
 struct MeshSets {
   std::string node, tet, chunk_tet, kept_tet;
 };
-/// The arrays of a mesh and of its linear solves, without those of its edges.
+/// Adds and connects the arrays of a mesh and of its linear solves, without those of its edges.
 /// @param number of the mesh where there are several, as "[1]" @param listed the objects of all that `whole` has
 /// @param keeps_tangents of all tets, as where tangents are not assembled
 template <class Body, class Chunk, class Krylov, class WholeBody>
@@ -55,7 +55,7 @@ void add_mesh(DistributedArrays& arrays, const std::string& number, const MeshSe
       rows_of(whole.node_tet_ranges, whole.node_tet_entries, listed.nodes, listed.tets, add_to_code<NodeTetEntry>),
       NodeTetEntry::bits, listed.nodes.known);
 }
-/// What assembled tangents have besides.
+/// Adds and connects the tets of edges, from which tangents are assembled. @param whole of which `listed` is a part
 template <class Body, class WholeBody>
 void add_edge_tets(DistributedArrays& arrays, const std::string& number, const std::string& edge,
                    const std::string& kept_tet, Body& body, const WholeBody& whole, const ListedLevel& listed) {
@@ -66,7 +66,7 @@ void add_edge_tets(DistributedArrays& arrays, const std::string& number, const s
       rows_of(whole.edge_tet_ranges, whole.edge_tet_entries, listed.edges, listed.tets, add_to_code<EdgeTetEntry>),
       EdgeTetEntry::bits, listed.edges.known);
 }
-/// What patches have over which volumes are averaged, without the lists by which tangents are summed.
+/// Adds and connects the patches over which volumes are averaged, without the lists by which tangents are summed.
 template <class Body, class Patches, class WholePatches>
 void add_patches(DistributedArrays& arrays, const std::string& number, const MeshSets& sets, const std::string& patch,
                  Body& body, Patches& patches, const WholePatches& whole, const ListedLevel& listed) {
@@ -86,7 +86,7 @@ void add_patches(DistributedArrays& arrays, const std::string& number, const Mes
                               [](auto& entry, Index number) { entry.tet += number; }),
                       0, listed.patches.known);
 }
-/// The patches of edges, where the stiffness is assembled.
+/// Adds and connects the patches of edges, where the stiffness is assembled.
 template <class Patches, class WholePatches>
 void add_edge_patches(DistributedArrays& arrays, const std::string& number, const std::string& edge,
                       const std::string& patch, Patches& patches, const WholePatches& whole,
@@ -99,7 +99,7 @@ void add_edge_patches(DistributedArrays& arrays, const std::string& number, cons
                               add_to_code<EdgePatchEntry>),
                       EdgePatchEntry::bits, listed.edges.known);
 }
-/// The same where nodes gather from patches, since it is not.
+/// Adds and connects the patches of nodes, which gather from them where the stiffness is not assembled.
 template <class Patches, class WholePatches>
 void add_node_patches(DistributedArrays& arrays, const std::string& number, const std::string& node,
                       const std::string& patch, Patches& patches, const WholePatches& whole,
@@ -113,7 +113,7 @@ void add_node_patches(DistributedArrays& arrays, const std::string& number, cons
                               add_to_code<NodePatchEntry>),
                       NodePatchEntry::bits, listed.nodes.known);
 }
-/// A level of tangents that are not assembled.
+/// Adds the arrays of a level of tangents that are not assembled.
 template <class Level>
 void add_level_by_tets(DistributedArrays& arrays, const std::string& number, const std::string& node, Level& level) {
   const std::string of_level = "level" + number + ".";
@@ -124,7 +124,7 @@ void add_level_by_tets(DistributedArrays& arrays, const std::string& number, con
   arrays.add(of_level + "residual", node, level.residual);
   arrays.add(of_level + "correction", node, level.correction);
 }
-/// As the solver fills its own. Behind cut().
+/// Fills constraints and scales as the solver of one process does. @pre cut() was called
 template <class Level>
 void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGraph& graph, const ListedObjects& nodes) {
   arrays.fill(level.constraints.contents(), [&](index_t node) {
@@ -138,7 +138,7 @@ void fill_level_by_tets(DistributedArrays& arrays, Level& level, const LevelGrap
     return value;
   });
 }
-/// As the solver fills its own. Behind cut().
+/// Fills positions [m], loads [N] and motion [m] as the solver of one process does. @pre cut() was called
 template <class Body, class Krylov, class WholeBody>
 void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const WholeBody& whole,
                const ListedObjects& nodes) {
@@ -154,7 +154,7 @@ void fill_mesh(DistributedArrays& arrays, Body& body, Krylov& krylov, const Whol
   krylov.state.resize(1);
 }
 
-/// The parts of groups of arrays.
+/// What this rank has of a scene's groups of arrays.
 /// @tparam Whole of the whole mesh, on the host: body, patches or NoArrays, chunk, levels, krylov, the graphs of the
 /// levels, facts, and Choices
 /// @tparam Part the same, without graphs, where this rank has them in other memory
@@ -206,7 +206,7 @@ struct PartOfEquilibrium {
     for (Level& level : levels) each.push_back(&level);
     return each;
   }
-  /// Of those that are not whole, what they are of.
+  /// Which objects of all the levels of `whole` have; none where they are whole.
   [[nodiscard]] static ListedLevels listed_levels_of(const Whole& whole) {
     if constexpr (requires { whole.listed; }) return whole.listed;
     return {};

@@ -25,7 +25,7 @@ namespace detail {
 
 [[nodiscard]] inline std::string in_brackets(std::size_t k) { return "[" + std::to_string(k) + "]"; }
 
-/// The parts of a rank, and what runs steps over them.
+/// What a rank has of the finest mesh, of coarser ones and of rigid planes, and the executor over them.
 template <class On, class Scene>
 struct PartOfRank {
   using Space = typename On::Space;
@@ -89,7 +89,7 @@ struct PartOfRank {
     arrays.add_set(set, size);
     if (!followed.empty()) arrays.follow(set, followed);
   }
-  /// Coarser meshes, on which equilibrium is sought first.
+  /// Adds the coarser meshes, on which equilibrium is sought first.
   void add_coarser(Part& part, const WholeBody<Scene>& whole) {
     for (std::size_t k = 0; k < coarser.size(); ++k) {
       const bool is_cut = k + 1 < whole.cut;
@@ -119,7 +119,7 @@ struct PartOfRank {
                                                     finest->levels[k + 1].edges.contents(), mesh.materials);
     }
   }
-  /// Level k + 1 of tangents that are not assembled, and the parents of level k.
+  /// Adds level k + 1, whose tangents are not assembled, and the parents of level k.
   template <class Levels>
   static void add_level(DistributedArrays& arrays, Levels& levels, const WholeBody<Scene>& whole, std::size_t k,
                         bool is_cut) {
@@ -136,7 +136,7 @@ struct PartOfRank {
         },
         own.known);
   }
-  /// Mesh k + 1, which is cut, or which all ranks have.
+  /// Adds mesh k + 1, which is cut, or which all ranks have.
   void add(DistributedArrays& arrays, const WholeMesh& whole, std::size_t k, bool is_cut, const ListedLevel& listed) {
     const std::string number = in_brackets(k + 1), level = "level" + number, tet = "tet" + number,
                       patch = "patch" + number;
@@ -156,7 +156,7 @@ struct PartOfRank {
       }
     }
   }
-  /// Of the rigid planes, which all ranks have.
+  /// Adds the rigid planes, which all ranks have, and what nodes have of them.
   void add_planes(DistributedArrays& arrays, const WholeBody<Scene>& whole) {
     if constexpr (has_planes) {
       if (!planes.empty()) arrays.add_replicated_set("plane", whole.planes.front().planes.size());
@@ -169,7 +169,7 @@ struct PartOfRank {
       }
     }
   }
-  /// Where equilibrium is sought. Behind cut().
+  /// Fills the planes of the meshes on which equilibrium is sought. @pre cut() was called
   void fill_planes(const WholeBody<Scene>& whole) {
     if constexpr (has_planes) {
       for (std::size_t l = 0; l < std::min(planes.size(), 1 + coarser.size()); ++l) {
@@ -179,7 +179,7 @@ struct PartOfRank {
       }
     }
   }
-  /// Of the patches of mesh k, among those of the next coarser one.
+  /// Adds and connects the parents of the patches of mesh k, which are among those of the next coarser one.
   template <class Patches, class WholePatches>
   static void add_parents(DistributedArrays& arrays, Patches& patches, const WholePatches& whole, std::size_t k,
                           const ListedLevels& listed) {

@@ -1,4 +1,4 @@
-// The solver of several ranks over arrays in one space: see solver_on_ranks.h.
+// The solver of equilibria on several ranks, over arrays in one space: see solver_on_ranks.h.
 #pragma once
 
 #include <fem/solver/solvers/nested_newton.h>
@@ -143,7 +143,7 @@ class QuasistaticOnRanks final : public SolverOnRanks,
 
  private:
   bool is_first_, has_planes_ = false;
-  // As WholeBody has them.
+  // Of all nodes of each mesh, as WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
   std::vector<std::vector<std::array<Index, 2>>> parents_;
 

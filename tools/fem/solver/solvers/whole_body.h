@@ -50,7 +50,7 @@ struct QuasistaticMesh {
   std::vector<MaterialRange> materials;  ///< where there are several
 };
 
-/// With its levels.
+/// Such a mesh with the levels of its linear solves, and rigid planes.
 template <class Space, class Scene = scenes::quasistatic>
 struct QuasistaticBody : QuasistaticMesh<Space, Scene> {
   using Level = typename QuasistaticMesh<Space, Scene>::Types::Level;
@@ -59,7 +59,7 @@ struct QuasistaticBody : QuasistaticMesh<Space, Scene> {
   std::vector<Planes> planes;  ///< of the level of each mesh, where the body may touch some; else none
 };
 
-/// Without the arrays that only steps fill. It outlives PartOfEquilibrium's constructor.
+/// The arrays that are filled before the first step. It outlives PartOfEquilibrium's constructor.
 template <class Scene = scenes::quasistatic>
 struct WholeBody : QuasistaticBody<Host, Scene> {
   using Mesh = QuasistaticMesh<Host, Scene>;
@@ -118,7 +118,7 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
     }
     if (has_planes) make_planes(std::span(given).first(std::min(used, meshes)), loading.planes);
   }
-  /// Keeps what arrays are filled with behind cut().
+  /// Releases all but what arrays are filled with behind cut().
   void release_lists() {
     for (LevelGraph& graph : graphs) {
       LevelGraph kept;
@@ -133,7 +133,7 @@ struct WholeBody : QuasistaticBody<Host, Scene> {
   }
 
  private:
-  /// The planes, and the areas of all nodes where equilibrium is sought.
+  /// Makes the planes, and the areas [m^2] of all nodes of meshes on which equilibrium is sought.
   void make_planes(std::span<const MeshLevel> given, const std::vector<RigidPlane>& of_loading) {
     if constexpr (may_have<decltype(WholeBody::Level::planes)>) {
       using Over = GroupOf<decltype(WholeBody::Level::planes)>;
