@@ -74,13 +74,13 @@ case $rule in
     expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
     expect_refused 'poisson = abc; give a number there' --poisson abc
     expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; take --cells 274' --cells 400
-    expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
-    expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
-    expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
+    expect_refused "--poisson 0.5: Poisson's ratio must be above -1 and below 0.5" --poisson 0.5
+    expect_refused "--poisson -1: Poisson's ratio must be above -1 and below 0.5" --poisson -1
+    expect_refused "--poisson nan: Poisson's ratio must be above -1 and below 0.5" --poisson nan
     expect_exit 1 --cells 4 --young 1e30 --compress 0.1 --out o
     expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m is out of range for float: take double precision"
     expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
-    expect_refused "--young 0: Young's modulus is" --young 0
+    expect_refused "--young 0: Young's modulus must be a positive number" --young 0
     expect_refused '--compress .* between 0 and 1, .*; 1 is not such a number' --compress 1
     expect_refused '--compress .*; at 0 the body is at rest .*; begin with a larger number' --compress 0
     expect_refused '--compress .*; at 0 the body is at rest' --compress 0 0.05
