@@ -215,7 +215,10 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
     lock.emplace(options.out);
   }
   const fem::MeshLevel& finest = scene.levels.front();
-  if (ranks.are_several()) ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
+  if (ranks.are_several()) {
+    ranks.agree("mesh", std::to_string(mesh_hash(finest.rest, finest.mesh.tets)));
+    ranks.agree("set of groups in its mesh", std::to_string(groups_hash(scene.groups)));
+  }
   std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
   terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
   if (options.solver.device == fem::Device::cuda) {

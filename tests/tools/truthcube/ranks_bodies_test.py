@@ -66,16 +66,22 @@ def a_case_has_the_files_of_one_process():
 
 
 def a_case_that_one_rank_cannot_read_ends_all():
-    """Where one rank finds its command wrong that others take, all end with both; so they do where the case's contents are others."""
-    for name in ("with", "without", "changed"):
+    """Where one rank finds its command wrong that others take, all end with both; so they do where the case's contents are others, or a
+    group of its mesh alone."""
+    box = shuffled(Box(3))
+    for name in ("with", "without", "changed", "regrouped"):
         (FOLDER / name).mkdir()
-        shuffled(Box(3)).write(FOLDER / name / "m.msh")
+        if name == "regrouped":
+            box.faces["x1"].pop()
+        box.write(FOLDER / name / "m.msh")
     case = {"mesh": "m.msh", "material": {"young": 2e4, "poisson": 0.45}, "supports": [{"group": "z0"}]}
-    (FOLDER / "with" / "c.json").write_text(json.dumps(case))
+    for name in ("with", "regrouped"):
+        (FOLDER / name / "c.json").write_text(json.dumps(case))
     (FOLDER / "changed" / "c.json").write_text(json.dumps(case | {"steps": [2]}))
     words = (TRUTHCUBE, *SCENE, "--case", "c.json", "--preconditioner", "block-jacobi")
     for other, said in (("without", r'rank 1 on \S+ has another error in its command: "[^"]*c.json[^"]*", and rank 0 has "none"'),
-                        ("changed", r"rank 1 on \S+ has another case: ")):
+                        ("changed", r"rank 1 on \S+ has another case: "),
+                        ("regrouped", r'rank 1 on \S+ has another set of groups in its mesh: "\d+", and rank 0 has "\d+"')):
         found, _, errors = run(MPIRUN, "--oversubscribe", "-n", "1", "-wdir", str(FOLDER / "with"), *words, ":", "-n", "1", "-wdir", str(FOLDER / other), *words)
         assert found == 1 and len(re.findall(said, errors)) == 1, (found, errors)
 

@@ -34,4 +34,16 @@ std::uint64_t mesh_hash(std::span<const fem::Point> rest, std::span<const std::a
   return hash.value();
 }
 
+std::uint64_t groups_hash(std::span<const fem::MeshGroup> groups) {
+  Hash hash;
+  for (const fem::MeshGroup& group : groups) {
+    hash.add(std::as_bytes(std::span(group.name)));
+    hash.add(std::as_bytes(std::span(group.nodes)));
+    hash.add(std::as_bytes(std::span(group.lines)));
+    hash.add(std::as_bytes(std::span(group.faces)));
+    hash.add(std::as_bytes(std::span(group.tets)));
+  }
+  return hash.value();
+}
+
 }  // namespace physgen::truthcube

@@ -1,6 +1,7 @@
 // A 64-bit hash of arrays, which tells meshes apart and finds damage in files. It is not made against forgery.
 #pragma once
 
+#include <fem/mesh/groups.h>
 #include <fem/mesh/mesh.h>
 
 #include <array>
@@ -25,5 +26,7 @@ class Hash {
 /// The hash of a mesh: of the bits of its rest positions and of its tets, both in their order.
 [[nodiscard]] std::uint64_t mesh_hash(std::span<const fem::Point> rest,
                                       std::span<const std::array<fem::Index, 4>> tets);
+/// The hash of the groups of a mesh: of their names and members, in their order.
+[[nodiscard]] std::uint64_t groups_hash(std::span<const fem::MeshGroup> groups);
 
 }  // namespace physgen::truthcube
