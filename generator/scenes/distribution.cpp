@@ -30,6 +30,10 @@ class DistributionFinder {
     for (const auto& [name, array] : arrays_) names(name, *array);
     for (const auto& [name, array] : arrays_) follows(*array);
     for (const Distribution::Set& one : found_.sets) check_followed(one);
+    if (const std::string& outside = needs_.halos.outside; !outside.empty())
+      refuse("the program itself uses " + outside +
+             ", of whose objects ranks have parts under other numbers; let a kernel use it, and reduce what the host "
+             "needs of it into an array per(1)");
     return std::move(found_);
   }
 

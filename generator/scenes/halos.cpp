@@ -51,11 +51,19 @@ class HaloFinder {
           next != rows_of_table_.end() && next->second.kernel == row.kernel && next->second.view == row.view;
       if (!row.field.empty() || !is_used) halos_.table.push_back(row);
     }
+    for (const FieldUse& use : usage_.unattributed) outside(use);
     return std::move(halos_);
   }
 
  private:
   using Through = std::vector<std::string>;
+
+  /// The host finds an object by a number, which is another one on each rank.
+  void outside(const FieldUse& use) {
+    const auto array = arrays_.find(use.array);
+    if (!halos_.outside.empty() || array == arrays_.end() || is_replicated(*array->second)) return;
+    halos_.outside = text_of(name_of(use)) + (use.places.empty() ? "" : " at " + text_of(use.places.front()));
+  }
 
   [[nodiscard]] const Array& at(const std::string& name) const { return *arrays_.at(name); }
   /// A field that names the objects of a set which is followed may name those of others, which then are followed, too.
@@ -89,7 +97,8 @@ class HaloFinder {
       if (std::ranges::any_of(at(use.array).names, names_it)) named.push_back(text_of(name_of(use)));
       if (std::ranges::any_of(kernel.views.rows, is_range)) ranges.push_back(text_of(name_of(use)));
     }
-    return ranges.empty() ? named : ranges;
+    if (!ranges.empty()) return ranges;
+    return kernel.calculated.contains(array) ? Through() : named;
   }
 
   /// The steps of a kernel: rows of its table, and what it reads of others.
@@ -145,7 +154,8 @@ class HaloFinder {
         if (follows_.contains({set, one})) read.local = set + " follows " + one;
         if (rows_.contains({use.array, one})) read.local = "rows of " + one;
       }
-      if (read.through.empty() && !is_unknown(use) && !step.kernels.empty()) unnamed(step, kernel, use);
+      const bool is_named = !read.through.empty() || kernel.calculated.contains(use.array);
+      if (!is_named && !is_unknown(use) && !step.kernels.empty()) unnamed(step, kernel, use);
       if (std::ranges::find(halos_.reads, read) == halos_.reads.end()) halos_.reads.push_back(std::move(read));
     }
     if (unknown.fields.empty()) return;

@@ -46,6 +46,7 @@ struct Halos {
   std::vector<UnknownHalo> unknown;
   std::vector<std::pair<std::string, std::string>>
       rows;               ///< arrays of ranges and of entries, "body.ranges", "body.ends"
+  std::string outside;    ///< what code outside of steps uses of objects of which ranks have parts; empty: nothing
   std::string no_arrays;  ///< why no header of arrays for several ranks is written: see distribution.h
   bool operator==(const Halos&) const = default;
 };

@@ -197,7 +197,15 @@ class Attribution {
     KernelViews views;
     std::vector<int> call_operators;
     std::vector<FieldUse> fields;
+    std::set<std::string> calculated;
   };
+
+  /// Of the last call of accesses().
+  [[nodiscard]] std::set<std::string> calculated() const {
+    std::set<std::string> arrays;
+    for (const int f : reached_) arrays.insert(at(f).calculated.begin(), at(f).calculated.end());
+    return arrays;
+  }
 
   /// @param lead_to functions of a step, whose own ones have places
   std::vector<PartUse> parts(const std::set<int>& lead_to, const Own& own) {
@@ -207,11 +215,12 @@ class Attribution {
       auto same = std::ranges::find_if(
           parts, [&](const PartUse& known) { return known.kernel == part.kernel && known.behind == part.behind; });
       if (same == parts.end())
-        same = parts.insert(same, {part.kernel, part.behind, part.class_name, part.views, {}, {}});
+        same = parts.insert(same, {part.kernel, part.behind, part.class_name, part.views, {}, {}, {}});
       same->call_operators.push_back(part.call_operator);
     }
     for (PartUse& part : parts) {
       part.fields = accesses(part.call_operators, own);
+      part.calculated = calculated();
       if (makes_index(part.call_operators))
         for (FieldUse& use : part.fields) forget_own(use);
     }
@@ -227,13 +236,14 @@ class Attribution {
   /// The kernels of a step: of a fused one its parts, of a reduction what is folded.
   std::vector<KernelUse> kernels(const Step& step, const std::vector<PartUse>& parts, const Own& own) {
     std::vector<KernelUse> result;
-    for (const PartUse& part : parts) result.push_back({part.class_name, part.views, part.fields});
+    for (const PartUse& part : parts) result.push_back({part.class_name, part.views, part.fields, part.calculated});
     if (!result.empty() || !step.views) return result;
     int function = step.function;
     for (const Call& call : at(function).calls)
       if (std::ranges::any_of(graph_.steps, [&](const Step& one) { return one.function == call.to; }))
         function = call.to;
-    KernelUse kernel = {step.kernel, *step.views, accesses({function}, own)};
+    KernelUse kernel = {step.kernel, *step.views, accesses({function}, own), {}};
+    kernel.calculated = calculated();
     if (makes_index({function}))
       for (FieldUse& use : kernel.fields) forget_own(use);
     result.push_back(std::move(kernel));

@@ -37,7 +37,8 @@ struct Function {
   bool single_object = false;  ///< calls a kernel for one object, whose index types do not tell from others
   bool makes_index = false;    ///< of the program, makes or changes an index of packs or of a fused kernel
   Access access = Access::none;
-  int field = -1;  ///< that it accesses: index into Graph::fields
+  int field = -1;                    ///< that it accesses: index into Graph::fields
+  std::set<std::string> calculated;  ///< arrays of which it finds objects by numbers that it calculates
   std::vector<Call> calls;
   std::set<Fact> facts;  ///< of a function of the program, once there are variants
 };

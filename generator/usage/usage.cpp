@@ -29,6 +29,7 @@ void add(std::vector<KernelUse>& kernels, const std::vector<KernelUse>& more) {
       kernels.push_back(kernel);
     } else {
       for (const FieldUse& use : kernel.fields) usage::add(same->fields, use);
+      same->calculated.insert(kernel.calculated.begin(), kernel.calculated.end());
     }
   }
 }

@@ -2,6 +2,7 @@
 // the JSON and whoever prunes arrays read them. Nothing of Clang appears here.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ struct KernelUse {
   std::string name;  ///< "physgen::fem::ComputeSvd"; empty: a lambda, or a kernel of the runtime's over one
   KernelViews views;
   std::vector<FieldUse> fields;  ///< by array and field, in ascending order; without those of what follows a reduction
+  std::set<std::string> calculated = {};  ///< arrays of which it finds objects by numbers that it calculates
   bool operator==(const KernelUse&) const = default;
 };
 

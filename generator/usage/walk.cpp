@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "usage/calculated.h"
 #include "usage/expressions.h"
 #include "usage/facts.h"
 #include "usage/in_order.h"
@@ -159,6 +160,7 @@ class Walk::Body : public InOrder<Walk::Body> {
 
   bool VisitCallExpr(clang::CallExpr* call) {
     callees_[call->getCallee()->IgnoreParenImpCasts()] = {call, place_of(*call)};
+    if (is_users_) add_calculated(*call, walk_.names_, walk_.graph_.functions[index()].calculated);
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {

@@ -209,6 +209,12 @@ TEST(Distribution, is_not_where_ranks_cannot_have_the_arrays_and_the_report_says
       "the rows of body.ranges and body.x and the entries body.ends are not one to one; give each array of ranges "
       "entries of its own");
 
+  Needs needs = needs_of(scene);
+  needs.halos.outside = "body.x.x at springs.h:20:7";
+  EXPECT_EQ(scenes::find_distribution(scene, needs).refused,
+            "the program itself uses body.x.x at springs.h:20:7, of whose objects ranks have parts under other "
+            "numbers; let a kernel use it, and reduce what the host needs of it into an array per(1)");
+
   scenes::Halos halos;
   halos.stated = true;
   halos.no_arrays = "why";

@@ -136,6 +136,28 @@ TEST(Halos, are_not_looked_for_where_a_scene_states_no_names) {
   EXPECT_EQ(scenes::halos_text(found.halos), "");
 }
 
+TEST(Halos, name_no_index_field_where_a_kernel_calculates_numbers_so_that_several_ranks_refuse_it) {
+  KernelUse kernel = pull();
+  kernel.calculated = {"body.x"};
+  const Found found = find(springs(), {kernel});
+  EXPECT_EQ(found.errors, std::vector<Issue>()) << "one process runs it";
+  EXPECT_EQ(scenes::halos_text(found.halos),
+            "\nHalos:\n  m::Pull: body.x.x gathered by numbers that it forms: exchanged if stale\n");
+  ASSERT_EQ(found.halos.table.size(), 3U);
+  EXPECT_EQ(found.halos.table[1], (scenes::HaloRow{"m::Pull", 1, "x", false, true, false, false, {}}));
+}
+
+TEST(Halos, are_not_all_where_the_program_itself_uses_what_ranks_have_parts_of) {
+  Usage usage;
+  usage.steps.push_back(step_of(pull()));
+  usage.unattributed = {read("body.state", "sum", Of::others)};
+  std::vector<Issue> errors;
+  EXPECT_EQ(scenes::find_halos(springs(), usage, errors).outside, "") << "which every rank has";
+  usage.unattributed.push_back(read("body.x", "x", Of::others));
+  EXPECT_EQ(scenes::find_halos(springs(), usage, errors).outside, "body.x.x at kernel.h:7:3");
+  EXPECT_EQ(errors, std::vector<Issue>());
+}
+
 TEST(Halos, count_a_use_that_types_do_not_tell_as_one_of_others_and_say_so) {
   KernelUse kernel = pull();
   kernel.fields[1] = read("body.x", "x", Of::unknown);

@@ -27,6 +27,10 @@ struct Arrays {
   PHYSGEN_TEST_ARRAY(between);
   PHYSGEN_TEST_ARRAY(to);
   PHYSGEN_TEST_ARRAY(sums);
+  struct named_tag {
+    static constexpr const char* name = "named";
+  };
+  ProbeOf<elasticity::TetArray<float, Space>, named_tag> named;
 };
 
 /// to[i] = from[i]
@@ -158,6 +162,29 @@ struct OfPartAndNext {
 template <class From, class To>
 OfPartAndNext(From, To) -> OfPartAndNext<From, To>;
 
+/// to[i] = from[what `named` names], and of others by numbers that are named, calculated before, stated, and given
+template <class Named, class From, class To, class Stated, class Given>
+struct ByNumbers {
+  using Scalar = float;
+  Named named;
+  From from;
+  To to;
+  Stated stated;
+  Given given;
+  index_t place;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<float, I>;
+    using Number = lanes_t<std::int32_t, I>;
+    const Number packed = named[i].nodes()[1], shifted = packed >> 2, next = shifted + 1;
+    S sum = S(from[Number(named[i].nodes()[0])].volume()) + S(from[shifted].volume());
+    for (int k = 0; k < 2; ++k) sum = sum + S(from[Number(named[i].nodes()[k + 1])].volume());
+    to[i].volume() = S(sum + S(to[next].volume()) + S(stated[index_t{0}].volume()) + S(given[place].volume()));
+  }
+};
+template <class N, class F, class T, class S, class G>
+ByNumbers(N, F, T, S, G, index_t) -> ByNumbers<N, F, T, S, G>;
+
 template <class On>
 void program(On& on, Arrays& a) {
 #if defined(PHYSGEN_TEST_STEP)
@@ -171,6 +198,8 @@ void program(On& on, Arrays& a) {
   on.run(1, lanes<1>(Single{a.from.const_view(), a.between.view(), a.sums.view()}));
   on.run(1, OfPart{a.between.view(), a.to.view()});
   on.run(1, OfPartAndNext{a.between.view(), a.to.view()});
+  on.run(1, ByNumbers{a.named.const_view(), a.from.const_view(), a.to.view(), a.between.const_view(),
+                      a.sums.const_view(), index_t{3}});
   on.reduce(1, SumOfOwn{a.from.const_view()}, Sum{}, StoreSum{a.sums.view()});
   on.run(1, fuse(locals(), Copy{a.from.view(), a.between.view()}, Copy{a.between.view(), a.to.view()},
                  AddToNext{a.to.view(), a.sums.view()}, AddToNext{a.between.view(), a.sums.view()}));

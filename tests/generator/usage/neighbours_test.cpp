@@ -82,6 +82,23 @@ TEST(UsageOfNeighbours, has_the_kernels_of_steps_with_the_arrays_of_their_views_
   EXPECT_EQ(texts_of(sum->kernels[0].fields), Fields{"from.volume R"}) << "without what becomes of the sum";
 }
 
+TEST(UsageOfNeighbours, tells_numbers_that_a_kernel_calculates_or_is_given_from_those_that_a_field_names) {
+  for (const Side side : {Side::host, Side::device}) {
+    if (side == Side::device && !has_device_side()) continue;
+    const Usage& usage = usage_of("neighbours.cpp", side);
+    const auto calculated = [&](const std::string& kernel) {
+      const StepUse* found = step(usage, kernel);
+      return found == nullptr || found->kernels.size() != 1 ? Fields{"none"} : found->kernels[0].calculated;
+    };
+    EXPECT_EQ(calculated("neighbours::Copy"), Fields());
+    EXPECT_EQ(calculated("neighbours::OfPart"), Fields());
+    EXPECT_EQ(calculated("neighbours::Shift"), Fields{"from"});
+    EXPECT_EQ(calculated("neighbours::Single"), Fields{"from"});
+    EXPECT_EQ(calculated("neighbours::OfPartAndNext"), Fields{"between"});
+    EXPECT_EQ(calculated("neighbours::ByNumbers"), (Fields{"between", "sums", "to"}));
+  }
+}
+
 TEST(UsageOfNeighbours, has_locals_of_fused_kernels_among_their_views) {
   const std::string step =
       "([&] { constexpr auto kept = local<elasticity::RestShapeObject, float>(); return fuse(locals(kept), "
