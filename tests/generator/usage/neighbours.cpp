@@ -162,6 +162,15 @@ struct OfPartAndNext {
 template <class From, class To>
 OfPartAndNext(From, To) -> OfPartAndNext<From, To>;
 
+template <class Number>
+PHYSGEN_FUNCTION Number behind(Number number) {
+  return number + 1;
+}
+template <class Number>
+PHYSGEN_FUNCTION Number unpacked(const Number& packed) {
+  return packed >> 2;
+}
+
 /// to[i] = from[what `named` names], and of others by numbers that are named, calculated before, stated, and given
 template <class Named, class From, class To, class Stated, class Given>
 struct ByNumbers {
@@ -185,6 +194,27 @@ struct ByNumbers {
 template <class N, class F, class T, class S, class G>
 ByNumbers(N, F, T, S, G, index_t) -> ByNumbers<N, F, T, S, G>;
 
+/// The same by a number that is assigned to, and by what functions return.
+template <class Named, class From, class To, class Changed>
+struct ByChangedNumbers {
+  using Scalar = float;
+  Named named;
+  From from;
+  To to;
+  Changed changed;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<float, I>;
+    using Number = lanes_t<std::int32_t, I>;
+    Number kept = named[i].nodes()[0], later = kept;
+    later = later + kept;
+    const S sum = S(from[kept].volume()) + S(from[unpacked(kept)].volume()) + S(changed[later].volume());
+    to[i].volume() = S(sum + S(to[behind(kept)].volume()));
+  }
+};
+template <class N, class F, class T, class C>
+ByChangedNumbers(N, F, T, C) -> ByChangedNumbers<N, F, T, C>;
+
 template <class On>
 void program(On& on, Arrays& a) {
 #if defined(PHYSGEN_TEST_STEP)
@@ -200,6 +230,7 @@ void program(On& on, Arrays& a) {
   on.run(1, OfPartAndNext{a.between.view(), a.to.view()});
   on.run(1, ByNumbers{a.named.const_view(), a.from.const_view(), a.to.view(), a.between.const_view(),
                       a.sums.const_view(), index_t{3}});
+  on.run(1, ByChangedNumbers{a.named.const_view(), a.from.const_view(), a.to.view(), a.between.const_view()});
   on.reduce(1, SumOfOwn{a.from.const_view()}, Sum{}, StoreSum{a.sums.view()});
   on.run(1, fuse(locals(), Copy{a.from.view(), a.between.view()}, Copy{a.between.view(), a.to.view()},
                  AddToNext{a.to.view(), a.sums.view()}, AddToNext{a.between.view(), a.sums.view()}));

@@ -86,16 +86,18 @@ TEST(UsageOfNeighbours, tells_numbers_that_a_kernel_calculates_or_is_given_from_
   for (const Side side : {Side::host, Side::device}) {
     if (side == Side::device && !has_device_side()) continue;
     const Usage& usage = usage_of("neighbours.cpp", side);
+    using Arrays = std::set<std::string>;
     const auto calculated = [&](const std::string& kernel) {
       const StepUse* found = step(usage, kernel);
-      return found == nullptr || found->kernels.size() != 1 ? Fields{"none"} : found->kernels[0].calculated;
+      return found == nullptr || found->kernels.size() != 1 ? Arrays{"none"} : found->kernels[0].calculated;
     };
-    EXPECT_EQ(calculated("neighbours::Copy"), Fields());
-    EXPECT_EQ(calculated("neighbours::OfPart"), Fields());
-    EXPECT_EQ(calculated("neighbours::Shift"), Fields{"from"});
-    EXPECT_EQ(calculated("neighbours::Single"), Fields{"from"});
-    EXPECT_EQ(calculated("neighbours::OfPartAndNext"), Fields{"between"});
-    EXPECT_EQ(calculated("neighbours::ByNumbers"), (Fields{"between", "sums", "to"}));
+    EXPECT_EQ(calculated("neighbours::Copy"), Arrays());
+    EXPECT_EQ(calculated("neighbours::OfPart"), Arrays());
+    EXPECT_EQ(calculated("neighbours::Shift"), Arrays{"from"});
+    EXPECT_EQ(calculated("neighbours::Single"), Arrays{"from"});
+    EXPECT_EQ(calculated("neighbours::OfPartAndNext"), Arrays{"between"});
+    EXPECT_EQ(calculated("neighbours::ByNumbers"), (Arrays{"between", "sums", "to"}));
+    EXPECT_EQ(calculated("neighbours::ByChangedNumbers"), (Arrays{"between", "to"}));
   }
 }
 
