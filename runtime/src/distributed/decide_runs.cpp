@@ -28,33 +28,53 @@ std::vector<index_t> told_by_all(Transport& transport, index_t mine) {
   return transport.all_to_all(std::vector<index_t>(static_cast<std::size_t>(transport.count()), mine));
 }
 
-/// Each object is counted by one rank: the lowest that knows it.
+/// Each object is counted by one rank that knows it. Ranks count objects that are consecutive.
 class Share {
  public:
   /// @throw Error when an object is known to no rank
-  Share(const DistributedSet& set, const KnownObjects& known, Transport& transport) : own_(known) {
+  Share(const DistributedSet& set, const KnownObjects& known, Transport& transport)
+      : ascending_(static_cast<std::size_t>(transport.count())) {
     const std::vector<index_t> first = told_by_all(transport, known.first), last = told_by_all(transport, known.last);
-    std::vector<KnownObjects> all;
-    for (std::size_t r = 0; r < first.size(); ++r) all.push_back({first[r], last[r]});
-    below_.assign(all.begin(), all.begin() + transport.rank());
-    std::ranges::sort(all, {}, &KnownObjects::first);
-    all.push_back({set.size, set.size});
+    const auto first_of = [&](int rank) { return first[static_cast<std::size_t>(rank)]; };
+    std::iota(ascending_.begin(), ascending_.end(), 0);
+    std::ranges::stable_sort(ascending_, {}, first_of);
     index_t behind = 0;
-    for (const KnownObjects& of_rank : all) {
-      if (of_rank.first > behind) {
-        throw Error("what objects " + std::to_string(behind) + " .. " + std::to_string(of_rank.first - 1) + " of set " +
-                    set.name + " name is known to no rank; let one know more objects");
-      }
-      behind = std::max(behind, of_rank.last);
+    const auto require_up_to = [&](index_t next) {
+      if (next <= behind) return;
+      throw Error("what objects " + std::to_string(behind) + " .. " + std::to_string(next - 1) + " of set " + set.name +
+                  " name is known to no rank; let one know more objects");
+    };
+    for (const int rank : ascending_) {
+      require_up_to(first_of(rank));
+      const index_t end = std::max(behind, last[static_cast<std::size_t>(rank)]);
+      if (rank == transport.rank()) own_ = {behind, end};
+      behind = end;
     }
+    require_up_to(set.size);
   }
-  [[nodiscard]] bool has(index_t object) const {
-    return own_.has(object) && std::ranges::none_of(below_, [=](const KnownObjects& one) { return one.has(object); });
-  }
+  [[nodiscard]] bool has(index_t object) const { return own_.has(object); }
+  [[nodiscard]] const KnownObjects& own() const { return own_; }
+  /// All ranks, in the order of what they count.
+  [[nodiscard]] const std::vector<int>& ascending() const { return ascending_; }
 
  private:
-  KnownObjects own_;
-  std::vector<KnownObjects> below_;
+  KnownObjects own_{0, 0};
+  std::vector<int> ascending_;
+};
+
+/// Where some consecutive objects are best divided into those of ranks below a rank, and those of this rank and above.
+struct Cut {
+  index_t sum = 0;    ///< what it costs more where all are below than where none is
+  index_t least = 0;  ///< what it costs more where those before `at` are
+  index_t at = 0;     ///< none is below where `least` is 0
+  void add(index_t object, index_t cost) {
+    sum += cost;
+    if (sum < least) *this = {sum, sum, object + 1};
+  }
+  void append(const Cut& behind) {
+    if (sum + behind.least < least) least = sum + behind.least, at = behind.at;
+    sum += behind.sum;
+  }
 };
 
 /// Where runs begin that have so many objects each.
@@ -156,43 +176,58 @@ void Partition::decide_computed_of(int replicated) {
     targets.push_back(&target);
   }
   if (named.empty()) return;
-  // An object is computed about where most of what it names is owned: the owner in the middle of all. In ordered sets
-  // these ascend; runs have as many objects as there are of each.
+  // Where ranks below a rank end and it begins, the fewest named objects are owned on the other side. So an object is
+  // computed about where most of what it names is owned, also where its neighbours in the order name others than it
+  // does.
   const KnownObjects known = known_to_all(named, set.size);
   const Share share(set, known, *transport_);
-  std::vector<index_t> objects;
-  for (index_t i = known.first; i < known.last; ++i) {
-    if (share.has(i)) objects.push_back(i);
-  }
-  const auto count = static_cast<index_t>(objects.size());
-  std::vector<int> of_objects(objects.size(), -1);
+  const index_t first = share.own().first, count = share.own().last - first;
+  const auto ranks = static_cast<std::size_t>(ranks_.count());
+  detail::FoundInBatches<Cut> found(count);
   detail::each_named(
-      named, count, [&](index_t i) { return objects[static_cast<std::size_t>(i)]; },
+      named, count, [=](index_t i) { return first + i; },
       [&](const detail::NamedBatch& batch) {
-        std::vector<int> owners;
+        std::vector<Cut>& cuts = found.of(batch);
+        cuts.resize(ranks);
+        std::vector<index_t> owned(ranks);  // of what an object names, by each rank
         for (std::size_t k = 0; k < batch.objects.size(); ++k) {
-          owners.clear();
+          std::ranges::fill(owned, 0);
+          index_t all = 0;
           for (std::size_t n = 0; n < named.size(); ++n) {
             for (const index_t number : batch.numbers[n].of(k)) {
               detail::require_object(*targets[n], number, batch.objects[k]);
-              if (number >= 0) owners.push_back(targets[n]->local->runs().owner(number));
+              if (number < 0) continue;
+              ++owned[static_cast<std::size_t>(targets[n]->local->runs().owner(number))];
+              ++all;
             }
           }
-          if (owners.empty()) continue;
-          const auto middle = owners.begin() + static_cast<std::ptrdiff_t>(owners.size() / 2);
-          std::nth_element(owners.begin(), middle, owners.end());
-          of_objects[static_cast<std::size_t>(batch.first) + k] = *middle;
+          if (all == 0) {  // those that name none are spread evenly
+            ++owned[static_cast<std::size_t>(batch.objects[k] * ranks_.count() / set.size)];
+            ++all;
+          }
+          index_t below = 0;
+          for (std::size_t r = 0; r < ranks; ++r) {
+            cuts[r].add(batch.objects[k], all - 2 * below);
+            below += owned[r];
+          }
         }
       });
-  // Those that name none are spread evenly.
-  std::vector<index_t> counts(static_cast<std::size_t>(ranks_.count()), 0);
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    const index_t evenly = objects[k] * ranks_.count() / set.size;
-    ++counts[static_cast<std::size_t>(of_objects[k] >= 0 ? index_t{of_objects[k]} : evenly)];
+  std::vector<Cut> of_batches, cuts(ranks);
+  found.append_to(of_batches);
+  for (std::size_t k = 0; k < of_batches.size(); ++k) cuts[k % ranks].append(of_batches[k]);
+  // Each rank is told where all others would cut what they count.
+  const auto told = [&](index_t Cut::* const number) {
+    std::vector<index_t> numbers;
+    for (const Cut& cut : cuts) numbers.push_back(cut.*number);
+    return transport_->all_to_all(numbers);
+  };
+  const std::vector<index_t> sums = told(&Cut::sum), leasts = told(&Cut::least), places = told(&Cut::at);
+  Cut of_all;
+  for (const int rank : share.ascending()) {
+    const auto r = static_cast<std::size_t>(rank);
+    of_all.append({sums[r], leasts[r], places[r]});
   }
-  const std::vector<index_t> counted = transport_->all_to_all(counts);
-  const index_t of_this = std::accumulate(counted.begin(), counted.end(), index_t{0});
-  set.computed = Runs::at(set.size, begins_of(told_by_all(*transport_, of_this)));
+  set.computed = Runs::at(set.size, told_by_all(*transport_, of_all.at));
 }
 
 }  // namespace physgen

@@ -163,12 +163,12 @@ def newton_by_tets_has_the_bits_of_one_process():
 
 def nested_iteration_from_a_cut_mesh_has_the_bits_of_one_process():
     """Nested iteration begins from a coarser mesh of which ranks have parts, too: of several blocks each, or of one that one rank owns."""
-    for cells, replicate, counts in (("40", "9000", (2,)), ("24", "2000", (3,)), ("16", "700", (4,))):
+    for cells, replicate, counts, others in (("40", "9000", (2,), 0), ("24", "2000", (3,), 1), ("16", "700", (4,), 1)):
         wanted, steps = in_one_process("nested_newton", cells)
         assert {step["level"] for step in steps} >= {0, 1}, steps
         for count in counts:
             traffic = on_ranks(count, "nested_newton", wanted, "--cells", cells, "--replicate", replicate)
-            expect_traffic_of_levels(steps, traffic, cut=2, half=1, nested=1)
+            expect_traffic_of_levels(steps, traffic, cut=2, half=1, nested=1, others=others)
     # Without the row of the coarser mesh's gradients the motion is poisoned, and the finer mesh begins on straight lines.
     rows = run(program("nested_newton_without_mpi"), "--rows", "1")[1].splitlines()
     number = next(line.split()[0] for line in rows if line.endswith("InterpolateMotion 6 f reads others"))
@@ -176,13 +176,14 @@ def nested_iteration_from_a_cut_mesh_has_the_bits_of_one_process():
     assert found != wanted, found
 
 
-def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0):
+def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0, others=1):
     """The V-cycle in place of block Jacobi. Each level that is cut has six exchanges in each preconditioning, one less where no product is
     before it, and the finest one that is not cut a residual that all ranks are given. Before the first, each has the scales of nodes, what is
     coarsened of nodes, the vectors of two power iterations, or of nine besides the first, whose length is measured twice then, in half the
     inverses of scales, and below the finest the blocks of edges. A motion that is interpolated crosses, for the ghosts that its first two
     readers need one after the other, and its least volume is measured; where the coarser mesh is cut, too, what its gradients are of crosses
-    before, and its motion with these. A coarser mesh that is cut needs one exchange more in its first step, for what other ghosts need."""
+    before, and its motion with these. A coarser mesh that is cut needs one exchange more in its first step, for what other ghosts need, but where
+    these are among the first (others=0)."""
     coarsest = max(step["level"] for step in steps)
     for step, (exchanges, gathers) in zip(steps, traffic, strict=True):
         levels = cut - step["level"]
@@ -193,7 +194,7 @@ def expect_traffic_of_levels(steps, traffic, cut=1, half=0, patches=0, nested=0)
             continue
         first = step["step"] == 1
         begins = nested * first * (step["level"] < coarsest)
-        beside = patches + (2 if levels == 1 else 4) * begins + (first and step["level"] > 0)
+        beside = patches + (2 if levels == 1 else 4) * begins + others * (first and step["level"] > 0)
         assert exchanges == levels * (6 * (step["iterations"] + 1) + 4 + half + 7 * first) + beside, (step, exchanges)
         assert gathers == 3 * step["iterations"] + 4 + (3 + patches) * (1 + first) + levels * (2 + first) + begins, (step, gathers)
 

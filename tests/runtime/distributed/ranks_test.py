@@ -89,7 +89,7 @@ def a_row_of_the_table_that_is_left_out_is_missed():
 
 def a_plan_that_lacks_an_object_is_missed():
     """Of sets there are several plans, and the first four are missed, each, when they lack an object of each message."""
-    seeds = "--seeds", "0", "24"
+    seeds = "--seeds", "72", "96"  # several of these programs read a lacking object, whichever of the four needs has it
     status, output, errors = ranks(3, "graphs", *seeds)
     assert status == 0, output + errors
     needs = range(1, 5)  # need 0 is of all ghosts; later ones join others, and cross once or twice in so short programs

@@ -29,7 +29,7 @@ def done(status, *words):
 def without_times(output):
     """Lines of a run, but those that ranks have besides and what says times and bytes."""
     lines = [line for line in output.splitlines() if not re.match(r" +rank .* machine$| +\d+( +\d+){7}  ", line)]
-    return [re.sub(r"\d+\.\d+ (s|MB)\b|\d+ bytes per node", "", line) for line in lines]
+    return [re.sub(r" *\d+\.\d+ (s|MB)\b|\d+ bytes per node", "", line) for line in lines]
 
 
 def record(folder):
