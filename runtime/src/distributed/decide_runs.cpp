@@ -37,6 +37,7 @@ class Share {
     std::vector<KnownObjects> all;
     for (std::size_t r = 0; r < first.size(); ++r) all.push_back({first[r], last[r]});
     below_.assign(all.begin(), all.begin() + transport.rank());
+    std::ranges::sort(below_, {}, &KnownObjects::first);
     std::ranges::sort(all, {}, &KnownObjects::first);
     all.push_back({set.size, set.size});
     index_t behind = 0;
@@ -48,14 +49,42 @@ class Share {
       behind = std::max(behind, of_rank.last);
     }
   }
-  [[nodiscard]] bool has(index_t object) const {
-    return own_.has(object) && std::ranges::none_of(below_, [=](const KnownObjects& one) { return one.has(object); });
+  /// Those of first .. last-1 that this rank counts.
+  [[nodiscard]] ObjectRuns of(index_t first, index_t last) const {
+    ObjectRuns mine;
+    index_t behind = std::max(first, own_.first);
+    last = std::min(last, own_.last);
+    for (const KnownObjects& below : below_) {
+      mine.add(behind, std::min(below.first, last) - behind);
+      behind = std::max(behind, below.last);
+    }
+    mine.add(behind, last - behind);
+    return mine;
   }
 
  private:
   KnownObjects own_;
-  std::vector<KnownObjects> below_;
+  std::vector<KnownObjects> below_;  ///< of ranks below, by where they begin
 };
+
+/// The rank that owns all that a piece's objects name, each of which names some; or -1, where it is not one for all.
+/// @param targets the set that each of the functions names
+int owner_of_named(const std::vector<const detail::NamedObjects*>& named,
+                   const std::vector<const DistributedSet*>& targets, const detail::ObjectPiece& piece) {
+  int owner = -1;
+  bool all_name = false;
+  for (std::size_t n = 0; n < named.size(); ++n) {
+    const detail::NamedBounds bounds = named[n]->bounds_of(piece);
+    if (bounds.are_none()) continue;
+    const Runs& runs = targets[n]->local->runs();
+    if (bounds.low < 0 || bounds.high >= runs.size()) return -1;
+    const int of_low = runs.owner(bounds.low);
+    if (bounds.high >= runs.end(of_low) || (owner >= 0 && owner != of_low)) return -1;
+    owner = of_low;
+    all_name |= bounds.fewest > 0;
+  }
+  return all_name ? owner : -1;
+}
 
 /// Where runs begin that have so many objects each.
 std::vector<index_t> begins_of(std::vector<index_t> counts) {
@@ -65,7 +94,7 @@ std::vector<index_t> begins_of(std::vector<index_t> counts) {
 
 }  // namespace
 
-std::vector<std::vector<index_t>> Partition::decide_runs() {
+std::vector<ObjectRuns> Partition::decide_runs() {
   for (DistributedSet& set : sets_) {
     if (set.kind == DistributedSet::Kind::owned && set.follows < 0) {
       set.local.emplace(Runs::of_blocks(set.size, ranks_.count()), ranks_.rank(), std::vector<index_t>());
@@ -73,14 +102,14 @@ std::vector<std::vector<index_t>> Partition::decide_runs() {
       set.local.emplace(Runs::of_blocks(set.size, 1), 0, std::vector<index_t>());
     }
   }
-  std::vector<std::vector<index_t>> touching(sets_.size());
+  std::vector<ObjectRuns> touching(sets_.size());
   for (std::size_t s = 0; s < sets_.size(); ++s) {
     if (sets_[s].follows >= 0) touching[s] = decide_runs_of(static_cast<int>(s));
   }
   return touching;
 }
 
-std::vector<index_t> Partition::decide_runs_of(int following) {
+ObjectRuns Partition::decide_runs_of(int following) {
   DistributedSet& set = sets_[static_cast<std::size_t>(following)];
   const DistributedSet& followed = sets_[static_cast<std::size_t>(set.follows)];
   const Runs& runs = followed.local->runs();
@@ -88,30 +117,45 @@ std::vector<index_t> Partition::decide_runs_of(int following) {
   for (const Connection& connection : connections_) {
     if (connection.source == following && connection.target == set.follows) named.push_back(&connection.named);
   }
+  const std::vector<const DistributedSet*> targets(named.size(), &followed);
   const KnownObjects known = known_to_all(named, set.size);
   const Share share(set, known, *transport_);
   // Of the objects of this rank's share: how many have their lowest object on each rank, and name some of it.
   const auto ranks = static_cast<std::size_t>(ranks_.count());
   std::vector<index_t> lowest_on(ranks, 0), touching_of(ranks, 0);
   std::mutex counting;
-  detail::FoundInBatches<index_t> found(known.last - known.first);
+  ObjectRuns all_known;
+  all_known.add(known.first, known.last - known.first);
+  const std::vector<detail::ObjectPiece> pieces = detail::pieces_of(all_known);
+  std::vector<ObjectRuns> found(pieces.size());
   detail::each_named(
-      named, known.last - known.first, [&](index_t i) { return known.first + i; },
+      named, pieces,
+      [&](std::size_t p) {
+        const detail::ObjectPiece& piece = pieces[p];
+        const int owner = owner_of_named(named, targets, piece);
+        if (owner < 0) return false;
+        if (owner == ranks_.rank()) found[p].add(piece.first, piece.size());
+        const index_t mine = share.of(piece.first, piece.last).count;
+        const std::lock_guard lock(counting);
+        lowest_on[static_cast<std::size_t>(owner)] += mine;
+        touching_of[static_cast<std::size_t>(owner)] += mine;
+        return true;
+      },
       [&](const detail::NamedBatch& batch) {
         std::vector<index_t> lowest_of_batch(ranks, 0), touching_of_batch(ranks, 0);
         std::vector<int> owners;
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           owners.clear();
           for (const detail::NamedNumbers& numbers : batch.numbers) {
             for (const index_t number : numbers.of(k)) {
-              detail::require_object(followed, number, batch.objects[k]);
+              detail::require_object(followed, number, batch.object(k));
               if (number < 0) continue;
               const int owner = runs.owner(number);
               if (std::ranges::find(owners, owner) == owners.end()) owners.push_back(owner);
             }
           }
-          if (std::ranges::find(owners, ranks_.rank()) != owners.end()) found.of(batch).push_back(batch.objects[k]);
-          if (owners.empty() || !share.has(batch.objects[k])) continue;
+          if (std::ranges::find(owners, ranks_.rank()) != owners.end()) found[batch.number].add(batch.object(k));
+          if (owners.empty() || share.of(batch.object(k), batch.object(k) + 1).count == 0) continue;
           ++lowest_of_batch[static_cast<std::size_t>(std::ranges::min(owners))];
           for (const int owner : owners) ++touching_of_batch[static_cast<std::size_t>(owner)];
         }
@@ -121,13 +165,15 @@ std::vector<index_t> Partition::decide_runs_of(int following) {
           touching_of[r] += touching_of_batch[r];
         }
       });
-  std::vector<index_t> touching;
-  found.append_to(touching);
+  ObjectRuns touching;
+  for (const ObjectRuns& of_piece : found) {
+    for (const ObjectRuns::Run& run : of_piece.runs) touching.add(run.first, run.count);
+  }
   const auto sum = [](const std::vector<index_t>& counts) {
     return std::accumulate(counts.begin(), counts.end(), index_t{0});
   };
-  if (const index_t all = sum(transport_->all_to_all(touching_of)); all != static_cast<index_t>(touching.size())) {
-    throw Error("rank " + std::to_string(ranks_.rank()) + " knows " + std::to_string(touching.size()) +
+  if (const index_t all = sum(transport_->all_to_all(touching_of)); all != touching.count) {
+    throw Error("rank " + std::to_string(ranks_.rank()) + " knows " + std::to_string(touching.count) +
                 " objects of set " + set.name + " that name objects of its own of set " + followed.name +
                 ", and there are " + std::to_string(all) + "; let the rank know more than " +
                 std::to_string(known.first) + " .. " + std::to_string(known.last - 1));
@@ -160,35 +206,41 @@ void Partition::decide_computed_of(int replicated) {
   // these ascend; runs have as many objects as there are of each.
   const KnownObjects known = known_to_all(named, set.size);
   const Share share(set, known, *transport_);
-  std::vector<index_t> objects;
-  for (index_t i = known.first; i < known.last; ++i) {
-    if (share.has(i)) objects.push_back(i);
-  }
-  const auto count = static_cast<index_t>(objects.size());
-  std::vector<int> of_objects(objects.size(), -1);
+  const ObjectRuns objects = share.of(known.first, known.last);
+  const std::vector<detail::ObjectPiece> pieces = detail::pieces_of(objects);
+  std::vector<int> of_objects(static_cast<std::size_t>(objects.count), -1);  // by places
+  const auto at_place = [&](const detail::ObjectPiece& piece) { return of_objects.begin() + piece.place; };
   detail::each_named(
-      named, count, [&](index_t i) { return objects[static_cast<std::size_t>(i)]; },
+      named, pieces,
+      [&](std::size_t p) {
+        const int owner = owner_of_named(named, targets, pieces[p]);
+        if (owner >= 0) std::fill_n(at_place(pieces[p]), pieces[p].size(), owner);
+        return owner >= 0;
+      },
       [&](const detail::NamedBatch& batch) {
         std::vector<int> owners;
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           owners.clear();
           for (std::size_t n = 0; n < named.size(); ++n) {
             for (const index_t number : batch.numbers[n].of(k)) {
-              detail::require_object(*targets[n], number, batch.objects[k]);
+              detail::require_object(*targets[n], number, batch.object(k));
               if (number >= 0) owners.push_back(targets[n]->local->runs().owner(number));
             }
           }
           if (owners.empty()) continue;
           const auto middle = owners.begin() + static_cast<std::ptrdiff_t>(owners.size() / 2);
           std::nth_element(owners.begin(), middle, owners.end());
-          of_objects[static_cast<std::size_t>(batch.first) + k] = *middle;
+          at_place(batch.piece)[static_cast<std::ptrdiff_t>(k)] = *middle;
         }
       });
   // Those that name none are spread evenly.
   std::vector<index_t> counts(static_cast<std::size_t>(ranks_.count()), 0);
-  for (std::size_t k = 0; k < objects.size(); ++k) {
-    const index_t evenly = objects[k] * ranks_.count() / set.size;
-    ++counts[static_cast<std::size_t>(of_objects[k] >= 0 ? index_t{of_objects[k]} : evenly)];
+  for (const detail::ObjectPiece& piece : pieces) {
+    for (index_t k = 0; k < piece.size(); ++k) {
+      const index_t evenly = (piece.first + k) * ranks_.count() / set.size;
+      const int owner = at_place(piece)[k];
+      ++counts[static_cast<std::size_t>(owner >= 0 ? index_t{owner} : evenly)];
+    }
   }
   const std::vector<index_t> counted = transport_->all_to_all(counts);
   const index_t of_this = std::accumulate(counted.begin(), counted.end(), index_t{0});
