@@ -29,7 +29,10 @@ void Partition::cut(const std::function<void()>& behind_names) {
   }
   ranks_.agree("table of kernels", std::to_string(std::hash<std::string>()(text)));
 
-  const std::vector<std::vector<index_t>> touching = decide_runs();
+  for (Connection& connection : connections_) {
+    connection.named.keep_bounds(sets_[static_cast<std::size_t>(connection.source)].size);
+  }
+  const std::vector<ObjectRuns> touching = decide_runs();
   decide_computed();
   find_ghosts(touching);
   for (DistributedSet& set : sets_) {  // what was connected by the other name asks it for local numbers
@@ -48,11 +51,11 @@ void Partition::cut(const std::function<void()>& behind_names) {
     }
   };
   resize(true);
-  for (Connection& connection : connections_) {
-    if (connection.store) connection.store(connection.named);
-    connection.store = {};
-    connection.named = {};
+  for (std::size_t c = 0; c < connections_.size(); ++c) {
+    if (connections_[c].store) connections_[c].store(c);
+    connections_[c].store = {};
   }
+  for (Connection& connection : connections_) connection.named = {};
   if (behind_names) behind_names();
   resize(false);
   for (DistributedArray& array : arrays_) array.memory = array.untyped();
@@ -79,10 +82,11 @@ void Partition::find_fields_that_name_parts() {
   }
 }
 
-void Partition::find_ghosts(const std::vector<std::vector<index_t>>& touching) {
+void Partition::find_ghosts(const std::vector<ObjectRuns>& touching) {
   const std::size_t count = sets_.size();
   // Of each set: objects of others that are here, and objects of which all that they name must be here.
-  std::vector<std::vector<index_t>> ghosts(count), complete(count);
+  std::vector<std::vector<index_t>> ghosts(count);
+  std::vector<ObjectRuns> complete(count);
   const auto run_of = [&](std::size_t s) -> const Runs* {
     if (sets_[s].kind == DistributedSet::Kind::owned) return &sets_[s].local->runs();
     return sets_[s].computed ? &*sets_[s].computed : nullptr;
@@ -91,26 +95,34 @@ void Partition::find_ghosts(const std::vector<std::vector<index_t>>& touching) {
   for (std::size_t s = 0; s < count; ++s) {
     const Runs* const runs = run_of(s);
     if (runs == nullptr) continue;
-    std::ranges::set_union(touching[s], std::views::iota(runs->begin(rank), runs->end(rank)),
-                           std::back_inserter(complete[s]));
-    std::ranges::copy_if(touching[s], std::back_inserter(ghosts[s]), [&](index_t i) { return !runs->owns(rank, i); });
+    const index_t begin = runs->begin(rank), end = runs->end(rank);
+    const auto add = [&](index_t from, index_t to) {  // of touching objects, those in a range
+      for (const ObjectRuns::Run& run : touching[s].runs) {
+        const index_t first = std::max(run.first, from), last = std::min(run.first + run.count, to);
+        complete[s].add(first, last - first);
+        for (index_t i = first; i < last; ++i) ghosts[s].push_back(i);
+      }
+    };
+    add(0, begin);
+    complete[s].add(begin, end - begin);
+    add(end, runs->size());
   }
-  while (std::ranges::any_of(complete, [](const auto& objects) { return !objects.empty(); })) {
+  while (std::ranges::any_of(complete, [](const ObjectRuns& objects) { return objects.count > 0; })) {
     std::vector<std::vector<index_t>> found(count);
-    for (const Connection& connection : connections_) {
-      const std::vector<index_t>& objects = complete[static_cast<std::size_t>(connection.source)];
-      const auto t = static_cast<std::size_t>(connection.target);
+    for (std::size_t c = 0; c < connections_.size(); ++c) {
+      const auto t = static_cast<std::size_t>(connections_[c].target);
       if (sets_[t].kind != DistributedSet::Kind::owned) continue;
-      add_named_of_others(connection, objects, found[t]);
+      add_named_of_others(c, complete[static_cast<std::size_t>(connections_[c].source)], found[t]);
     }
     for (std::size_t s = 0; s < count; ++s) {
       detail::sort_once(found[s]);
-      complete[s].clear();
-      std::ranges::set_difference(found[s], ghosts[s], std::back_inserter(complete[s]));
-      std::vector<index_t> all;
+      complete[s] = {};
+      std::vector<index_t> added, all;
+      std::ranges::set_difference(found[s], ghosts[s], std::back_inserter(added));
       std::ranges::set_union(found[s], ghosts[s], std::back_inserter(all));
       ghosts[s] = std::move(all);
-      if (sets_[s].follows < 0) complete[s].clear();  // all that is here of others is computed here
+      if (sets_[s].follows < 0) continue;
+      for (const index_t object : added) complete[s].add(object);  // all that is here of others is computed here
     }
   }
   for (std::size_t s = 0; s < count; ++s) {
@@ -122,25 +134,48 @@ void Partition::find_ghosts(const std::vector<std::vector<index_t>>& touching) {
   }
 }
 
-void Partition::add_named_of_others(const Connection& connection, const std::vector<index_t>& objects,
+void Partition::add_named_of_others(std::size_t connection, const ObjectRuns& objects,
                                     std::vector<index_t>& others) const {
-  const DistributedSet& target = sets_[static_cast<std::size_t>(connection.target)];
+  const Connection& by = connections_[connection];
+  const DistributedSet& target = sets_[static_cast<std::size_t>(by.target)];
   const Runs& runs = target.local->runs();
-  const auto count = static_cast<index_t>(objects.size());
-  detail::FoundInBatches<index_t> found(count);
+  const std::vector<detail::ObjectPiece> pieces = detail::pieces_of(objects);
+  std::vector<std::vector<index_t>> found(pieces.size());
   detail::each_named(
-      {&connection.named}, count, [&](index_t i) { return objects[static_cast<std::size_t>(i)]; },
+      {&by.named}, pieces, [&](std::size_t p) { return owns_named(connection, pieces[p]); },
       [&](const detail::NamedBatch& batch) {
-        std::vector<index_t>& of_batch = found.of(batch);
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        std::vector<index_t>& of_batch = found[batch.number];
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           for (const index_t number : batch.numbers.front().of(k)) {
-            detail::require_object(target, number, batch.objects[k]);
+            detail::require_object(target, number, batch.object(k));
             if (number >= 0 && !runs.owns(ranks_.rank(), number)) of_batch.push_back(number);
           }
         }
         detail::sort_once(of_batch);
       });
-  found.append_to(others);
+  for (const std::vector<index_t>& of_piece : found) others.insert(others.end(), of_piece.begin(), of_piece.end());
+}
+
+std::vector<detail::ObjectPiece> Partition::pieces(int set, index_t first, index_t last) const {
+  const LocalSet& local = *sets_[static_cast<std::size_t>(set)].local;
+  ObjectRuns objects;
+  for (index_t i = first; i < std::min(last, local.begin()); ++i) objects.add(local.global(i));
+  const index_t begin = std::max(first, local.begin()), end = std::min(last, local.end());
+  if (begin < end) objects.add(local.global(begin), end - begin);
+  for (index_t i = std::max(first, local.end()); i < last; ++i) objects.add(local.global(i));
+  return detail::pieces_of(objects);
+}
+
+bool Partition::owns_named(std::size_t connection, const detail::ObjectPiece& piece) const {
+  const detail::NamedBounds bounds = connections_[connection].named.bounds_of(piece);
+  const LocalSet& target = *sets_[static_cast<std::size_t>(connections_[connection].target)].local;
+  const index_t begin = target.runs().begin(target.rank()), end = target.runs().end(target.rank());
+  return bounds.are_none() || (begin <= bounds.low && bounds.high < end);
+}
+
+index_t Partition::below_local(std::size_t connection) const {
+  const LocalSet& target = *sets_[static_cast<std::size_t>(connections_[connection].target)].local;
+  return target.runs().begin(target.rank()) - target.begin();
 }
 
 std::pair<index_t, index_t> Partition::complete(int set, int target) const {

@@ -52,7 +52,10 @@ class Share {
     }
     require_up_to(set.size);
   }
-  [[nodiscard]] bool has(index_t object) const { return own_.has(object); }
+  /// Those of first .. last-1 that this rank counts.
+  [[nodiscard]] index_t count_of(index_t first, index_t last) const {
+    return std::max(index_t{0}, std::min(last, own_.last) - std::max(first, own_.first));
+  }
   [[nodiscard]] const KnownObjects& own() const { return own_; }
   /// All ranks, in the order of what they count.
   [[nodiscard]] const std::vector<int>& ascending() const { return ascending_; }
@@ -77,6 +80,25 @@ struct Cut {
   }
 };
 
+/// The rank that owns all that a piece's objects name, each of which names some; or -1, where it is not one for all.
+/// @param targets the set that each of the functions names
+int owner_of_named(const std::vector<const detail::NamedObjects*>& named,
+                   const std::vector<const DistributedSet*>& targets, const detail::ObjectPiece& piece) {
+  int owner = -1;
+  bool all_name = false;
+  for (std::size_t n = 0; n < named.size(); ++n) {
+    const detail::NamedBounds bounds = named[n]->bounds_of(piece);
+    if (bounds.are_none()) continue;
+    const Runs& runs = targets[n]->local->runs();
+    if (bounds.low < 0 || bounds.high >= runs.size()) return -1;
+    const int of_low = runs.owner(bounds.low);
+    if (bounds.high >= runs.end(of_low) || (owner >= 0 && owner != of_low)) return -1;
+    owner = of_low;
+    all_name |= bounds.fewest > 0;
+  }
+  return all_name ? owner : -1;
+}
+
 /// Where runs begin that have so many objects each.
 std::vector<index_t> begins_of(std::vector<index_t> counts) {
   std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), index_t{0});
@@ -85,7 +107,7 @@ std::vector<index_t> begins_of(std::vector<index_t> counts) {
 
 }  // namespace
 
-std::vector<std::vector<index_t>> Partition::decide_runs() {
+std::vector<ObjectRuns> Partition::decide_runs() {
   for (DistributedSet& set : sets_) {
     if (set.kind == DistributedSet::Kind::owned && set.follows < 0) {
       set.local.emplace(Runs::of_blocks(set.size, ranks_.count()), ranks_.rank(), std::vector<index_t>());
@@ -93,14 +115,14 @@ std::vector<std::vector<index_t>> Partition::decide_runs() {
       set.local.emplace(Runs::of_blocks(set.size, 1), 0, std::vector<index_t>());
     }
   }
-  std::vector<std::vector<index_t>> touching(sets_.size());
+  std::vector<ObjectRuns> touching(sets_.size());
   for (std::size_t s = 0; s < sets_.size(); ++s) {
     if (sets_[s].follows >= 0) touching[s] = decide_runs_of(static_cast<int>(s));
   }
   return touching;
 }
 
-std::vector<index_t> Partition::decide_runs_of(int following) {
+ObjectRuns Partition::decide_runs_of(int following) {
   DistributedSet& set = sets_[static_cast<std::size_t>(following)];
   const DistributedSet& followed = sets_[static_cast<std::size_t>(set.follows)];
   const Runs& runs = followed.local->runs();
@@ -108,30 +130,45 @@ std::vector<index_t> Partition::decide_runs_of(int following) {
   for (const Connection& connection : connections_) {
     if (connection.source == following && connection.target == set.follows) named.push_back(&connection.named);
   }
+  const std::vector<const DistributedSet*> targets(named.size(), &followed);
   const KnownObjects known = known_to_all(named, set.size);
   const Share share(set, known, *transport_);
   // Of the objects of this rank's share: how many have their lowest object on each rank, and name some of it.
   const auto ranks = static_cast<std::size_t>(ranks_.count());
   std::vector<index_t> lowest_on(ranks, 0), touching_of(ranks, 0);
   std::mutex counting;
-  detail::FoundInBatches<index_t> found(known.last - known.first);
+  ObjectRuns all_known;
+  all_known.add(known.first, known.last - known.first);
+  const std::vector<detail::ObjectPiece> pieces = detail::pieces_of(all_known);
+  std::vector<ObjectRuns> found(pieces.size());
   detail::each_named(
-      named, known.last - known.first, [&](index_t i) { return known.first + i; },
+      named, pieces,
+      [&](std::size_t p) {
+        const detail::ObjectPiece& piece = pieces[p];
+        const int owner = owner_of_named(named, targets, piece);
+        if (owner < 0) return false;
+        if (owner == ranks_.rank()) found[p].add(piece.first, piece.size());
+        const index_t mine = share.count_of(piece.first, piece.last);
+        const std::lock_guard lock(counting);
+        lowest_on[static_cast<std::size_t>(owner)] += mine;
+        touching_of[static_cast<std::size_t>(owner)] += mine;
+        return true;
+      },
       [&](const detail::NamedBatch& batch) {
         std::vector<index_t> lowest_of_batch(ranks, 0), touching_of_batch(ranks, 0);
         std::vector<int> owners;
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           owners.clear();
           for (const detail::NamedNumbers& numbers : batch.numbers) {
             for (const index_t number : numbers.of(k)) {
-              detail::require_object(followed, number, batch.objects[k]);
+              detail::require_object(followed, number, batch.object(k));
               if (number < 0) continue;
               const int owner = runs.owner(number);
               if (std::ranges::find(owners, owner) == owners.end()) owners.push_back(owner);
             }
           }
-          if (std::ranges::find(owners, ranks_.rank()) != owners.end()) found.of(batch).push_back(batch.objects[k]);
-          if (owners.empty() || !share.has(batch.objects[k])) continue;
+          if (std::ranges::find(owners, ranks_.rank()) != owners.end()) found[batch.number].add(batch.object(k));
+          if (owners.empty() || share.count_of(batch.object(k), batch.object(k) + 1) == 0) continue;
           ++lowest_of_batch[static_cast<std::size_t>(std::ranges::min(owners))];
           for (const int owner : owners) ++touching_of_batch[static_cast<std::size_t>(owner)];
         }
@@ -141,13 +178,15 @@ std::vector<index_t> Partition::decide_runs_of(int following) {
           touching_of[r] += touching_of_batch[r];
         }
       });
-  std::vector<index_t> touching;
-  found.append_to(touching);
+  ObjectRuns touching;
+  for (const ObjectRuns& of_piece : found) {
+    for (const ObjectRuns::Run& run : of_piece.runs) touching.add(run.first, run.count);
+  }
   const auto sum = [](const std::vector<index_t>& counts) {
     return std::accumulate(counts.begin(), counts.end(), index_t{0});
   };
-  if (const index_t all = sum(transport_->all_to_all(touching_of)); all != static_cast<index_t>(touching.size())) {
-    throw Error("rank " + std::to_string(ranks_.rank()) + " knows " + std::to_string(touching.size()) +
+  if (const index_t all = sum(transport_->all_to_all(touching_of)); all != touching.count) {
+    throw Error("rank " + std::to_string(ranks_.rank()) + " knows " + std::to_string(touching.count) +
                 " objects of set " + set.name + " that name objects of its own of set " + followed.name +
                 ", and there are " + std::to_string(all) + "; let the rank know more than " +
                 std::to_string(known.first) + " .. " + std::to_string(known.last - 1));
@@ -181,40 +220,42 @@ void Partition::decide_computed_of(int replicated) {
   // does.
   const KnownObjects known = known_to_all(named, set.size);
   const Share share(set, known, *transport_);
-  const index_t first = share.own().first, count = share.own().last - first;
+  ObjectRuns counted;
+  counted.add(share.own().first, share.own().last - share.own().first);
+  const std::vector<detail::ObjectPiece> pieces = detail::pieces_of(counted);
   const auto ranks = static_cast<std::size_t>(ranks_.count());
-  detail::FoundInBatches<Cut> found(count);
+  std::vector<std::vector<Cut>> found(pieces.size(), std::vector<Cut>(ranks));
   detail::each_named(
-      named, count, [=](index_t i) { return first + i; },
+      named, pieces, [](std::size_t /*piece*/) { return false; },
       [&](const detail::NamedBatch& batch) {
-        std::vector<Cut>& cuts = found.of(batch);
-        cuts.resize(ranks);
+        std::vector<Cut>& cuts = found[batch.number];
         std::vector<index_t> owned(ranks);  // of what an object names, by each rank
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           std::ranges::fill(owned, 0);
           index_t all = 0;
           for (std::size_t n = 0; n < named.size(); ++n) {
             for (const index_t number : batch.numbers[n].of(k)) {
-              detail::require_object(*targets[n], number, batch.objects[k]);
+              detail::require_object(*targets[n], number, batch.object(k));
               if (number < 0) continue;
               ++owned[static_cast<std::size_t>(targets[n]->local->runs().owner(number))];
               ++all;
             }
           }
           if (all == 0) {  // those that name none are spread evenly
-            ++owned[static_cast<std::size_t>(batch.objects[k] * ranks_.count() / set.size)];
+            ++owned[static_cast<std::size_t>(batch.object(k) * ranks_.count() / set.size)];
             ++all;
           }
           index_t below = 0;
           for (std::size_t r = 0; r < ranks; ++r) {
-            cuts[r].add(batch.objects[k], all - 2 * below);
+            cuts[r].add(batch.object(k), all - 2 * below);
             below += owned[r];
           }
         }
       });
-  std::vector<Cut> of_batches, cuts(ranks);
-  found.append_to(of_batches);
-  for (std::size_t k = 0; k < of_batches.size(); ++k) cuts[k % ranks].append(of_batches[k]);
+  std::vector<Cut> cuts(ranks);
+  for (const std::vector<Cut>& of_piece : found) {
+    for (std::size_t r = 0; r < ranks; ++r) cuts[r].append(of_piece[r]);
+  }
   // Each rank is told where all others would cut what they count.
   const auto told = [&](index_t Cut::* const number) {
     std::vector<index_t> numbers;

@@ -21,6 +21,11 @@ LocalSet::LocalSet(Runs runs, int rank, std::vector<index_t> ghosts)
   begin_ = align_up(below, Runs::block);
   first_ = begin_ - below;
   size_ = std::max(last(), index_t{runs_.ranks() > 1 ? 1 : 0});
+  for (std::size_t g = 0; g < ghosts_.size(); ++g) {
+    ghost_blocks_.resize(static_cast<std::size_t>((ghosts_[g] - ghosts_.front()) / ghost_block + 1),
+                         static_cast<index_t>(g));
+  }
+  ghost_blocks_.push_back(static_cast<index_t>(ghosts_.size()));
 }
 
 index_t LocalSet::global_of_ghost(index_t local) const {
@@ -29,8 +34,14 @@ index_t LocalSet::global_of_ghost(index_t local) const {
 }
 
 index_t LocalSet::local_of_ghost(index_t global) const {
-  const auto found = std::lower_bound(ghosts_.begin(), ghosts_.end(), global);
-  if (found == ghosts_.end() || *found != global) return -1;
+  if (ghosts_.empty() || global < ghosts_.front() || global > ghosts_.back()) return -1;
+  const auto block = static_cast<std::size_t>((global - ghosts_.front()) / ghost_block);
+  const auto from = ghosts_.begin() + ghost_blocks_[block], to = ghosts_.begin() + ghost_blocks_[block + 1];
+  if (from == to || global < *from) return -1;
+  // Mostly ghosts follow each other.
+  const index_t beyond = std::min(global - *from, static_cast<index_t>(to - from) - 1);
+  const auto found = from[beyond] == global ? from + beyond : std::lower_bound(from, to, global);
+  if (found == to || *found != global) return -1;
   return ghost(static_cast<std::size_t>(found - ghosts_.begin()));
 }
 

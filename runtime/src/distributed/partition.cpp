@@ -173,41 +173,48 @@ std::int32_t* Partition::first_index(const UntypedArray& array, std::string_view
   return reinterpret_cast<std::int32_t*>(array.address(0, detail::find_index_field(array, field).offset, 4));
 }
 
+std::string Partition::name_of_field(const void* array, const std::string& field) const {
+  return arrays_[static_cast<std::size_t>(number_of_array(array))].name + "." + field;
+}
+
 void Partition::connect_field(const void* array, const std::string& field, std::string_view target,
-                              const KnownObjects& known, detail::NamedObjects::Tell tell) {
+                              detail::NamedObjects named) {
   const int number = number_of_array(array), to = number_of(target);
   DistributedArray& source = arrays_[static_cast<std::size_t>(number)];
   const UntypedArray untyped = source.untyped();
   source.is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, field) - untyped.fields.data())] = 1;
-  const std::string of = source.name + "." + field;
-  namings_.push_back({of, source.set, to, number, static_cast<int>(connections_.size())});
-  const auto store = [this, number, to, field, of](const detail::NamedObjects& named_objects) {
-    store_numbers(number, to, field, of, named_objects);
+  namings_.push_back({named.field(), source.set, to, number, static_cast<int>(connections_.size())});
+  const auto store = [this, number, to, field](std::size_t connection) {
+    store_numbers(number, to, field, connection);
   };
-  connections_.push_back({source.set, to, {of, known, std::move(tell)}, store});
+  connections_.push_back({source.set, to, std::move(named), store});
 }
 
-void Partition::store_numbers(int array, int target, const std::string& field, const std::string& of,
-                              const detail::NamedObjects& named) const {
+void Partition::store_numbers(int array, int target, const std::string& field, std::size_t connection) const {
   const DistributedArray& connected = arrays_[static_cast<std::size_t>(array)];
+  const detail::NamedObjects& named = connections_[connection].named;
   const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
   const detail::HostImage image(connected.untyped());
   const FieldInfo& info = detail::find_index_field(image.array(), field);
   const detail::Addressing places(image.array());
   const auto elements = static_cast<std::size_t>(info.count);
+  const index_t below = below_local(connection);
   detail::each_named(
-      {&named}, objects.last() - objects.first(), [&](index_t i) { return objects.global(objects.first() + i); },
+      {&named}, pieces(connected.set, objects.first(), objects.last()), [](std::size_t) { return false; },
       [&](const detail::NamedBatch& batch) {
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        const bool is_owned = owns_named(connection, batch.piece);
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           const std::span<const index_t> numbers = batch.numbers.front().of(k);
           if (numbers.size() != elements) {
-            throw Error(of + " of object " + std::to_string(batch.objects[k]) + " has " + std::to_string(elements) +
-                        " elements, and " + std::to_string(numbers.size()) + " numbers were given; give one for each");
+            throw Error(named.field() + " of object " + std::to_string(batch.object(k)) + " has " +
+                        std::to_string(elements) + " elements, and " + std::to_string(numbers.size()) +
+                        " numbers were given; give one for each");
           }
-          const index_t i = objects.first() + batch.first + static_cast<index_t>(k);
+          const index_t i = objects.first() + batch.piece.place + static_cast<index_t>(k);
           for (std::size_t e = 0; e < elements; ++e) {
             *reinterpret_cast<std::int32_t*>(places.address(i, info.offset + static_cast<int>(e) * 4, 4)) =
-                local_number(target, numbers[e], of);
+                is_owned ? static_cast<std::int32_t>(numbers[e] - below)
+                         : local_number(target, numbers[e], named.field());
           }
         }
       });

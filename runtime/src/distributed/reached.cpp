@@ -3,20 +3,47 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "named_batches.h"
 
 namespace physgen {
 
+Partition::Reached::Reached(index_t size, index_t first, index_t last)
+    : objects(static_cast<std::size_t>(size), 0),
+      groups(static_cast<std::size_t>((size + DistributedSet::group - 1) / DistributedSet::group), 0) {
+  for (const auto& [from, to] : {std::pair{index_t{0}, first}, std::pair{last, size}}) {
+    for (index_t i = from; i < to; ++i) add(i, ~std::uint64_t{0});
+  }
+}
+
+bool Partition::Reached::any(index_t first, index_t last) {
+  if (first >= last) return false;
+  const auto group = [&](index_t object) { return groups.begin() + object / DistributedSet::group; };
+  return std::any_of(group(first), group(last - 1) + 1,
+                     [](std::uint64_t& bits) { return std::atomic_ref(bits).load(std::memory_order_relaxed) != 0; });
+}
+
+bool Partition::Reached::add(index_t object, std::uint64_t bits) {
+  const auto place = static_cast<std::size_t>(object);
+  const std::uint64_t before = std::atomic_ref(objects[place]).fetch_or(bits, std::memory_order_relaxed);
+  if ((before | bits) == before) return false;
+  std::atomic_ref(groups[place / DistributedSet::group]).fetch_or(bits, std::memory_order_relaxed);
+  return true;
+}
+
+std::uint64_t Partition::Reached::of(index_t object) {
+  return std::atomic_ref(objects[static_cast<std::size_t>(object)]).load(std::memory_order_relaxed);
+}
+
 void Partition::find_reached() {
   if (ranks_.count() == 1) return;
   const std::size_t count = sets_.size();
-  std::vector<Reached> reached(count);  // of each local object; all bits of what is not computed here
+  std::vector<Reached> reached(count);
   for (std::size_t s = 0; s < count; ++s) {
     if (sets_[s].kind != DistributedSet::Kind::owned) continue;
-    reached[s].assign(static_cast<std::size_t>(sets_[s].local->size()), ~std::uint64_t{0});
     const auto [first, last] = complete(static_cast<int>(s), static_cast<int>(s));
-    std::fill(reached[s].begin() + first, reached[s].begin() + last, 0);
+    reached[s] = Reached(sets_[s].local->size(), first, last);
   }
   const auto is_of = [&](const Connection& connection, bool follows) {
     const DistributedSet& source = sets_[static_cast<std::size_t>(connection.source)];
@@ -25,85 +52,92 @@ void Partition::find_reached() {
            (source.follows >= 0) == follows;
   };
   // Sets that follow come first, and until nothing is added where they name each other.
-  for (const Connection& connection : connections_) {
-    if (is_of(connection, true)) (void)add_reached(connection, reached);
+  for (std::size_t c = 0; c < connections_.size(); ++c) {
+    if (is_of(connections_[c], true)) (void)add_reached(c, reached);
   }
   for (bool is_again = true; is_again;) {
     is_again = false;
-    for (const Connection& connection : connections_) {
-      const bool names_such = sets_[static_cast<std::size_t>(connection.target)].follows >= 0;
-      is_again |= names_such && is_of(connection, true) && add_reached(connection, reached);
+    for (std::size_t c = 0; c < connections_.size(); ++c) {
+      const bool names_such = sets_[static_cast<std::size_t>(connections_[c].target)].follows >= 0;
+      is_again |= names_such && is_of(connections_[c], true) && add_reached(c, reached);
     }
   }
-  for (const Connection& connection : connections_) {
-    if (is_of(connection, false)) (void)add_reached(connection, reached);
+  for (std::size_t c = 0; c < connections_.size(); ++c) {
+    if (is_of(connections_[c], false)) (void)add_reached(c, reached);
   }
   keep_what_leads_to_ghosts(reached);
-  for (std::size_t s = 0; s < count; ++s) {
-    const auto objects = static_cast<index_t>(reached[s].size());
-    sets_[s].reached.assign(static_cast<std::size_t>((objects + DistributedSet::group - 1) / DistributedSet::group), 0);
-    for (index_t i = 0; i < objects; ++i) {
-      sets_[s].reached[static_cast<std::size_t>(i / DistributedSet::group)] |= reached[s][static_cast<std::size_t>(i)];
-    }
-  }
+  for (std::size_t s = 0; s < count; ++s) sets_[s].reached = std::move(reached[s].groups);
 }
 
-bool Partition::add_reached(const Connection& connection, std::vector<Reached>& reached) const {
-  const auto s = static_cast<std::size_t>(connection.source), t = static_cast<std::size_t>(connection.target);
-  const LocalSet &source = *sets_[s].local, &target = *sets_[t].local;
-  const auto [first, last] = complete(connection.source, connection.target);
+bool Partition::may_reach(std::size_t connection, const detail::ObjectPiece& piece, Reached& target) const {
+  if (!owns_named(connection, piece)) return true;
+  const detail::NamedBounds bounds = connections_[connection].named.bounds_of(piece);
+  const index_t below = below_local(connection);
+  return !bounds.are_none() && target.any(bounds.low - below, bounds.high - below + 1);
+}
+
+bool Partition::add_reached(std::size_t connection, std::vector<Reached>& reached) const {
+  const Connection& by = connections_[connection];
+  const auto s = static_cast<std::size_t>(by.source), t = static_cast<std::size_t>(by.target);
+  const LocalSet& target = *sets_[t].local;
+  const bool leads_on = sets_[t].follows >= 0;
+  const auto [first, last] = complete(by.source, by.target);
+  const std::vector<detail::ObjectPiece> all = pieces(by.source, first, last);
   std::atomic<bool> has_changed = false;
-  // Where objects of a set name each other, one thread reads what another writes: bits, which are only added.
-  const auto bits_of = [](std::uint64_t& bits) { return std::atomic_ref(bits); };
   detail::each_named(
-      {&connection.named}, last - first, [&, first = first](index_t i) { return source.global(first + i); },
+      {&by.named}, all,
+      [&](std::size_t p) {
+        return leads_on ? !may_reach(connection, all[p], reached[t]) : owns_named(connection, all[p]);
+      },
       [&, first = first](const detail::NamedBatch& batch) {
-        for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        for (std::size_t k = 0; k < batch.size(); ++k) {
           std::uint64_t added = 0;
           for (const index_t number : batch.numbers.front().of(k)) {
             const index_t local = number < 0 ? -1 : target.local(number);
             if (local < 0) continue;
             if (target.is_ghost(local)) added |= std::uint64_t{1} << (t % 64);
-            if (sets_[t].follows >= 0) {
-              added |= bits_of(reached[t][static_cast<std::size_t>(local)]).load(std::memory_order_relaxed);
-            }
+            if (leads_on) added |= reached[t].of(local);
           }
           if (added == 0) continue;
-          const index_t i = first + batch.first + static_cast<index_t>(k);
-          const auto mine = bits_of(reached[s][static_cast<std::size_t>(i)]);
-          const std::uint64_t before = mine.load(std::memory_order_relaxed);
-          if ((before | added) == before) continue;
-          mine.store(before | added, std::memory_order_relaxed);
-          has_changed.store(true, std::memory_order_relaxed);
+          if (reached[s].add(first + batch.piece.place + static_cast<index_t>(k), added)) {
+            has_changed.store(true, std::memory_order_relaxed);
+          }
         }
       });
   return has_changed;
 }
 
-void Partition::keep_what_leads_to_ghosts(const std::vector<Reached>& reached) {
-  for (Connection& connection : connections_) {
-    const auto s = static_cast<std::size_t>(connection.source), t = static_cast<std::size_t>(connection.target);
+void Partition::keep_what_leads_to_ghosts(std::vector<Reached>& reached) {
+  for (std::size_t c = 0; c < connections_.size(); ++c) {
+    Connection& by = connections_[c];
+    const auto s = static_cast<std::size_t>(by.source), t = static_cast<std::size_t>(by.target);
     if (sets_[t].kind != DistributedSet::Kind::owned) continue;
-    const LocalSet &source = *sets_[s].local, &target = *sets_[t].local;
-    const auto [first, last] = complete(connection.source, connection.target);
-    std::vector<index_t> leading;
-    for (index_t i = first; i < last; ++i) {
-      if (reached[s].empty() || reached[s][static_cast<std::size_t>(i)] != 0) leading.push_back(i);
-    }
-    const auto count = static_cast<index_t>(leading.size());
-    detail::FoundInBatches<std::array<index_t, 2>> found(count);
+    const LocalSet& target = *sets_[t].local;
+    const bool all_lead = reached[s].objects.empty();
+    const auto [first, last] = complete(by.source, by.target);
+    const std::vector<detail::ObjectPiece> all = pieces(by.source, first, last);
+    std::vector<std::vector<std::array<std::int32_t, 2>>> found(all.size());
     detail::each_named(
-        {&connection.named}, count, [&](index_t i) { return source.global(leading[static_cast<std::size_t>(i)]); },
-        [&](const detail::NamedBatch& batch) {
-          for (std::size_t k = 0; k < batch.objects.size(); ++k) {
+        {&by.named}, all,
+        [&, first = first](std::size_t p) {
+          const index_t begin = first + all[p].place;
+          return (!all_lead && !reached[s].any(begin, begin + all[p].size())) || !may_reach(c, all[p], reached[t]);
+        },
+        [&, first = first](const detail::NamedBatch& batch) {
+          for (std::size_t k = 0; k < batch.size(); ++k) {
+            const index_t leading = first + batch.piece.place + static_cast<index_t>(k);
+            if (!all_lead && reached[s].of(leading) == 0) continue;
             for (const index_t number : batch.numbers.front().of(k)) {
               const index_t local = number < 0 ? -1 : target.local(number);
-              if (local < 0 || (!target.is_ghost(local) && reached[t][static_cast<std::size_t>(local)] == 0)) continue;
-              found.of(batch).push_back({leading[static_cast<std::size_t>(batch.first) + k], local});
+              if (local < 0 || (!target.is_ghost(local) && reached[t].of(local) == 0)) continue;
+              found[batch.number].push_back({static_cast<std::int32_t>(leading), static_cast<std::int32_t>(local)});
             }
           }
         });
-    found.append_to(connection.to_ghosts);
+    std::size_t size = 0;
+    for (const auto& of_piece : found) size += of_piece.size();
+    by.to_ghosts.reserve(size);
+    for (const auto& of_piece : found) by.to_ghosts.insert(by.to_ghosts.end(), of_piece.begin(), of_piece.end());
   }
 }
 

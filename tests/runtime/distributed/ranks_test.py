@@ -78,6 +78,21 @@ def ranks_need_to_know_no_more_objects_than_they_have():
         print(lacking, re.search("physgen: .*", done[2]).group(0))
 
 
+def cut_decides_what_a_search_over_all_objects_does():
+    """Runs, ghosts, what leads to ghosts and local numbers are those that a search finds which leaves out no object."""
+    for k, count in enumerate((1, 2, 3, 4, 8)):
+        for threads in ("1", "3"):
+            first = 24 * (2 * k + int(threads) // 2)
+            status, output, errors = ranks(count, "cuts", "--seeds", str(first), str(first + 24), environment={"OMP_NUM_THREADS": threads})
+            print(output)
+            assert status == 0 and output.count(" 0 differences") == count, f"{count} ranks, {threads} threads: {output}{errors}"
+            asked = [tuple(map(int, pair)) for pair in re.findall(r"(\d+) edges were asked (\d+) times", output)]
+            edges, times = (sum(numbers) for numbers in zip(*asked))
+            # Once for the bounds of all, once for the numbers of a rank's own, and a few at its ends.
+            assert edges > 0, "no seed has nodes on all ranks"
+            assert times <= (1 + 2 / count) * edges, f"{count} ranks: {times} questions for {edges} edges"
+
+
 def a_row_of_the_table_that_is_left_out_is_missed():
     """Each row of the table that an exchange or a stale field depends on is missed when it is left out."""
     status, output, errors = ranks(3, "graphs", "--seeds", "0", "24", "--most", "9000", "--without", "each")

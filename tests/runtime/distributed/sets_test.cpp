@@ -4,6 +4,7 @@
 #include <physgen/distributed/kernel_members.h>
 #include <physgen/distributed/local_set.h>
 
+#include <algorithm>
 #include <random>
 
 #include "springs.h"
@@ -87,7 +88,9 @@ TEST(LocalSet, local_numbers_ascend_with_global_ones_and_owned_objects_begin_wit
       const Runs runs = Runs::of_blocks(size, 4);
       std::vector<index_t> ghosts;
       for (index_t i = 0; i < size; ++i) {
-        if (!runs.owns(rank, i) && random() % 7 == 0) ghosts.push_back(i);
+        // Some, all and none.
+        const bool is_ghost = i / 700 % 3 == 0 ? random() % 7 == 0 : i / 700 % 3 == 1;
+        if (!runs.owns(rank, i) && is_ghost) ghosts.push_back(i);
       }
       const LocalSet set(runs, rank, ghosts);
       EXPECT_EQ(set.begin() % Runs::block, 0);
@@ -106,6 +109,10 @@ TEST(LocalSet, local_numbers_ascend_with_global_ones_and_owned_objects_begin_wit
         before = global;
       }
       EXPECT_EQ(here, set.owned() + static_cast<index_t>(ghosts.size()));
+      for (index_t i = 0; i < size; ++i) {
+        const bool is_here = runs.owns(rank, i) || std::ranges::binary_search(ghosts, i);
+        EXPECT_EQ(set.local(i) >= 0, is_here) << "object " << i;
+      }
       for (std::size_t g = 0; g < ghosts.size(); ++g) EXPECT_EQ(set.global(set.ghost(g)), ghosts[g]);
     }
   }

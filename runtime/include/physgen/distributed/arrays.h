@@ -64,13 +64,12 @@ class DistributedArrays : public Partition {
   template <class Array, class Named>
   void connect(const Array& array, const std::string& field, std::string_view target, const Named& named,
                const KnownObjects& known = {}) {
-    const auto tell = [named](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
-      for (const index_t object : objects) {
-        for (const auto number : named(object)) numbers.add(static_cast<index_t>(number));
-        numbers.end_object();
-      }
+    const auto visit = [named](const auto& use) {
+      use([&](index_t object, const auto& act) {
+        for (const auto number : named(object)) act(static_cast<index_t>(number));
+      });
     };
-    connect_field(&array, field, target, known, tell);
+    connect_field(&array, field, target, {name_of_field(&array, field), known, visit});
   }
   /// Rows (rows.h) of the objects of the set of `ranges`, whose entries name objects of another set, or of the same.
   /// `entries` is added by this.
@@ -190,22 +189,21 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
   using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
   std::vector<std::pair<int, detail::NamedObjects>> named;
   for (std::size_t k = 0; k < named_sets.size(); ++k) {
-    const auto tell = [=](std::span<const index_t> objects, detail::NamedNumbers& numbers) {
+    const auto visit = [=](const auto& use) {
       One one(1);  // in which the field is found by its name
       const std::int32_t* const number = first_index(one.untyped(), field);
       const auto view = one.view();
-      for (const index_t object : objects) {
+      use([&](index_t object, const auto& act) {
         for (const auto& entry : row(object)) {
           if (which(entry) != static_cast<int>(k)) continue;
           view.put(index_t{0}, entry);
-          numbers.add(*number >> shift);
+          act(index_t{*number >> shift});
         }
-        numbers.end_object();
-      }
+      });
     };
-    named.emplace_back(named_sets[k], detail::NamedObjects(name, known, tell));
+    named.emplace_back(named_sets[k], detail::NamedObjects(name, known, visit));
   }
-  const auto store = [=, this, &entries, of = name + "." + field](const detail::NamedObjects& connected) {
+  const auto store = [=, this, &entries, of = name + "." + field](std::size_t connection) {
     const int set = arrays()[static_cast<std::size_t>(rows)].set;
     const LocalSet& objects = *sets()[static_cast<std::size_t>(set)].local;
     index_t first = 0, last = objects.size();
@@ -214,38 +212,47 @@ void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& na
       first = std::max(first, from), last = std::min(last, to);
     }
     const index_t count = std::max(last - first, index_t{0});
-    for (const index_t end : {first, last - 1}) {
-      if (count > 0) connected.require_known(objects.global(end));
-    }
+    const std::vector<detail::ObjectPiece> all_rows = pieces(set, first, first + count);
+    std::vector<index_t> below(named_sets.size());  // of each set, what numbers of owned objects have more
+    for (std::size_t k = 0; k < below.size(); ++k) below[k] = below_local(connection + k);
+    std::vector<char> is_owned(all_rows.size(), 1);  // all that is named
     std::vector<std::int32_t> begins(static_cast<std::size_t>(count) + 1, 0);
-    detail::host_loop(count, [&](index_t k) {
-      const auto& entries_of_row = row(objects.global(first + k));
-      begins[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::ranges::distance(entries_of_row));
+    detail::host_loop(static_cast<index_t>(all_rows.size()), [&](index_t p) {
+      const detail::ObjectPiece& piece = all_rows[static_cast<std::size_t>(p)];
+      for (std::size_t k = 0; k < named_sets.size(); ++k) {
+        if (!owns_named(connection + k, piece)) is_owned[static_cast<std::size_t>(p)] = 0;
+      }
+      for (index_t k = 0; k < piece.size(); ++k) {
+        const auto& entries_of_row = row(piece.first + k);
+        begins[static_cast<std::size_t>(piece.place + k)] =
+            static_cast<std::int32_t>(std::ranges::distance(entries_of_row));
+      }
     });
     const index_t all = detail::scan<false>(std::span(begins));
     store_rows(rows, first, begins);
     // One at least, as in a set.
     entries = detail::make_array<Entries>(std::max(all, index_t{ranks().count() > 1 ? 1 : 0}), ranks(), transport());
     detail::edit_on_host(entries, [&](auto& here) {
-      detail::RegionFailure failure;
-      detail::for_parts<8>(count, [&](index_t from, index_t to) {
-        failure.guard([&] {
-          One one(1);
-          std::int32_t* const number = first_index(one.untyped(), field);
-          const auto view = here.view();
-          for (index_t k = from; k < to; ++k) {
-            index_t place = begins[static_cast<std::size_t>(k)];
-            for (const auto& entry : row(objects.global(first + k))) {
-              one.view().put(index_t{0}, entry);
-              const int target = named_sets[static_cast<std::size_t>(which(entry))];
-              const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
-              *number = (local_number(target, *number >> shift, of) << shift) | below;
-              view.put(place++, one.view().get(index_t{0}));
+      detail::host_loop(static_cast<index_t>(all_rows.size()), [&](index_t p) {
+        const detail::ObjectPiece& piece = all_rows[static_cast<std::size_t>(p)];
+        One one(1);
+        std::int32_t* const number = first_index(one.untyped(), field);
+        const auto view = here.view();
+        index_t place = begins[static_cast<std::size_t>(piece.place)];
+        for (index_t r = piece.first; r < piece.last; ++r) {
+          for (const auto& entry : row(r)) {
+            one.view().put(index_t{0}, entry);
+            const auto target = static_cast<std::size_t>(which(entry));
+            if (is_owned[static_cast<std::size_t>(p)] != 0) {
+              *number -= static_cast<std::int32_t>(below[target]) << shift;
+            } else {
+              const std::int32_t rest = *number & ((std::int32_t{1} << shift) - 1);
+              *number = (local_number(named_sets[target], *number >> shift, of) << shift) | rest;
             }
+            view.put(place++, one.view().get(index_t{0}));
           }
-        });
+        }
       });
-      failure.rethrow();
     });
   };
   connect_entries(&ranges, name, field, std::move(named), store);

@@ -8,7 +8,7 @@
 
 namespace physgen {
 
-/// Objects by local numbers, ascending, as runs of numbers that follow each other.
+/// Objects by their numbers, ascending, as runs of numbers that follow each other.
 struct ObjectRuns {
   struct Run {
     index_t first, count;
@@ -17,10 +17,13 @@ struct ObjectRuns {
   index_t count = 0;  ///< of all
 
   /// @pre the number is above those that are there
-  void add(index_t object) {
-    if (runs.empty() || runs.back().first + runs.back().count != object) runs.push_back({object, 0});
-    ++runs.back().count;
-    ++count;
+  void add(index_t object) { add(object, 1); }
+  /// The same of objects that follow each other. @param more how many, or none
+  void add(index_t first, index_t more) {
+    if (more <= 0) return;
+    if (runs.empty() || runs.back().first + runs.back().count != first) runs.push_back({first, 0});
+    runs.back().count += more;
+    count += more;
   }
 };
 

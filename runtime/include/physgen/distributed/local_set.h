@@ -59,6 +59,9 @@ class LocalSet {
   Runs runs_;
   int rank_;
   std::vector<index_t> ghosts_;
+  /// Which ghost is the first from the number front() + k * ghost_block of them on; and one more.
+  std::vector<index_t> ghost_blocks_;
+  static constexpr index_t ghost_block = 256;
   index_t first_, begin_, size_;
 };
 

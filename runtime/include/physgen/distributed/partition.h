@@ -46,7 +46,7 @@ struct DistributedSet {
   /// Of each group of local objects: bit s % 64 where one of them names a ghost of set s, by itself or through objects
   /// of sets that follow.
   std::vector<std::uint64_t> reached;
-  static constexpr index_t group = 256;
+  static constexpr index_t group = detail::ObjectPiece::group;
 };
 
 /// An array that has the objects of a set that are here.
@@ -128,19 +128,20 @@ class Partition {
   [[nodiscard]] int need_of(int set, HaloNeedBits needs);
 
  protected:
-  /// Stores local numbers of what objects name.
-  using Store = std::function<void(const detail::NamedObjects& named)>;
+  /// Stores local numbers of what objects name by a connection, and by those behind it that were added with it.
+  using Store = std::function<void(std::size_t connection)>;
 
   void add_set(const std::string& name, index_t size, DistributedSet::Kind kind);
   void add_array(DistributedArray array);
-  void connect_field(const void* array, const std::string& field, std::string_view target, const KnownObjects& known,
-                     detail::NamedObjects::Tell tell);
+  void connect_field(const void* array, const std::string& field, std::string_view target, detail::NamedObjects named);
   /// @param targets the sets that entries name, and which numbers of each
   /// @param store makes rows, behind cut()
   void connect_entries(const void* ranges, const std::string& name, const std::string& field,
                        std::vector<std::pair<int, detail::NamedObjects>> targets, Store store);
   [[nodiscard]] int number_of(std::string_view set) const;
   [[nodiscard]] int number_of_array(const void* array) const;
+  /// "body.edges.nodes"
+  [[nodiscard]] std::string name_of_field(const void* array, const std::string& field) const;
   [[nodiscard]] const LocalSet& set_of(int array) const;
   /// The number of an array by its memory, which it keeps behind cut() wherever a program moves or swaps it to; by its
   /// address before, and where it has no memory.
@@ -150,6 +151,12 @@ class Partition {
   [[nodiscard]] const index_t* global_numbers(int array);
   /// The local objects, first and behind the last, of which all that they name of another set is here.
   [[nodiscard]] std::pair<index_t, index_t> complete(int set, int target) const;
+  /// Local objects of a set; the place of a piece is the first's distance from `first`. @pre objects are there
+  [[nodiscard]] std::vector<detail::ObjectPiece> pieces(int set, index_t first, index_t last) const;
+  /// Whether this rank owns all that a piece's objects name by a connection: local numbers are global ones less
+  /// below_local(). False does not say that they name something of others.
+  [[nodiscard]] bool owns_named(std::size_t connection, const detail::ObjectPiece& piece) const;
+  [[nodiscard]] index_t below_local(std::size_t connection) const;
   /// Of a global number; -1 where it is not here. @throw Error when the set has no such object
   [[nodiscard]] std::int32_t local_number(int set, index_t number, const std::string& of) const;
   /// The first element of an index field of the first object.
@@ -177,25 +184,38 @@ class Partition {
     Store store;  ///< behind cut(); or none, where another connection does it
     /// Local numbers of an object that is computed here and of one that it names, where that is a ghost or leads to
     /// one.
-    std::vector<std::array<index_t, 2>> to_ghosts = {};
+    std::vector<std::array<std::int32_t, 2>> to_ghosts = {};
   };
-  /// @return of each set that follows, ascending: the objects that name one that this rank owns
-  [[nodiscard]] std::vector<std::vector<index_t>> decide_runs();
-  [[nodiscard]] std::vector<index_t> decide_runs_of(int following);
+  /// @return of each set that follows: the objects that name one that this rank owns
+  [[nodiscard]] std::vector<ObjectRuns> decide_runs();
+  [[nodiscard]] ObjectRuns decide_runs_of(int following);
   void decide_computed();
   void decide_computed_of(int replicated);
-  void store_numbers(int array, int target, const std::string& field, const std::string& of,
-                     const detail::NamedObjects& named) const;
-  void find_ghosts(const std::vector<std::vector<index_t>>& touching);
+  void store_numbers(int array, int target, const std::string& field, std::size_t connection) const;
+  void find_ghosts(const std::vector<ObjectRuns>& touching);
   /// Appends what some objects name that other ranks own.
-  void add_named_of_others(const Connection& connection, const std::vector<index_t>& objects,
-                           std::vector<index_t>& others) const;
+  void add_named_of_others(std::size_t connection, const ObjectRuns& objects, std::vector<index_t>& others) const;
   void find_fields_that_name_parts();
-  using Reached = std::vector<std::uint64_t>;  ///< DistributedSet::reached of each object of a set
+  /// DistributedSet::reached of each local object of a set, and of each group. Where objects of a set name each other,
+  /// a thread reads what another adds.
+  struct Reached {
+    std::vector<std::uint64_t> objects, groups;
+
+    Reached() = default;
+    /// @param first, last objects that are computed here: of others all bits are set
+    Reached(index_t size, index_t first, index_t last);
+    /// Whether one of the objects first .. last-1 may have a bit.
+    [[nodiscard]] bool any(index_t first, index_t last);
+    /// @return whether the object had less
+    bool add(index_t object, std::uint64_t bits);
+    [[nodiscard]] std::uint64_t of(index_t object);
+  };
   void find_reached();
   /// What objects reach by a connection. @return whether it is more than before
-  [[nodiscard]] bool add_reached(const Connection& connection, std::vector<Reached>& reached) const;
-  void keep_what_leads_to_ghosts(const std::vector<Reached>& reached);
+  [[nodiscard]] bool add_reached(std::size_t connection, std::vector<Reached>& reached) const;
+  /// Whether a piece's objects may name ghosts by a connection, or what reaches some.
+  [[nodiscard]] bool may_reach(std::size_t connection, const detail::ObjectPiece& piece, Reached& target) const;
+  void keep_what_leads_to_ghosts(std::vector<Reached>& reached);
   [[nodiscard]] std::vector<char> ghosts_of(const HaloPath& path) const;
   [[nodiscard]] int add_need(int set, std::vector<char> has);
   [[nodiscard]] bool is_followed(int set) const;

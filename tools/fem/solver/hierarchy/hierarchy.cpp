@@ -5,6 +5,7 @@
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/hierarchy/node_rows.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,16 +41,23 @@ IncidenceList patches_of_box_edges(const BoxCells& box, std::span<const Index> f
 double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest) {
   InStage stage("checks of tets");
   stage.moves(mesh.tets, rest);
-  HostList<double> volumes(mesh.tets.size());
-  for_each_index<4>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
-    const auto& tet = mesh.tets[at(t)];
-    const auto side = [&](std::size_t c, std::size_t k) { return rest[at(tet[c])][k] - rest[at(tet[0])][k]; };
-    volumes[at(t)] = std::abs(side(1, 0) * (side(2, 1) * side(3, 2) - side(2, 2) * side(3, 1)) +
-                              side(1, 1) * (side(2, 2) * side(3, 0) - side(2, 0) * side(3, 2)) +
-                              side(1, 2) * (side(2, 0) * side(3, 1) - side(2, 1) * side(3, 0)));
-  });
+  // A part of the volumes at a time, which caches hold; they are added one after the other.
+  const auto tets = static_cast<index_t>(mesh.tets.size());
+  HostList<double> volumes(at(std::min(tets, index_t{1} << 16)));
   double six_volumes = 0;
-  for (const double volume : volumes) six_volumes += volume;
+  for (index_t first = 0; first < tets; first += static_cast<index_t>(volumes.size())) {
+    const index_t count = std::min(tets - first, static_cast<index_t>(volumes.size()));
+    for_each_index<4>(0, count, [&](index_t k) {
+      const auto& tet = mesh.tets[at(first + k)];
+      const auto side = [&](std::size_t c, std::size_t axis) {
+        return rest[at(tet[c])][axis] - rest[at(tet[0])][axis];
+      };
+      volumes[at(k)] = std::abs(side(1, 0) * (side(2, 1) * side(3, 2) - side(2, 2) * side(3, 1)) +
+                                side(1, 1) * (side(2, 2) * side(3, 0) - side(2, 0) * side(3, 2)) +
+                                side(1, 2) * (side(2, 0) * side(3, 1) - side(2, 1) * side(3, 0)));
+    });
+    for (index_t k = 0; k < count; ++k) six_volumes += volumes[at(k)];
+  }
   return std::cbrt(six_volumes / double(mesh.tets.size()));
 }
 
