@@ -54,9 +54,9 @@ class CaseSteps {
         axes_(axes_of(scene, options.given_case)),
         terminal_(terminal),
         ranks_(ranks) {
-    if (options.out.empty() || !ranks.is_first()) return;
-    write_order_of(options.out, scene);
-    viewers_.emplace(options, scene, 0);
+    if (options.out.empty()) return;
+    if (ranks.is_first()) write_order_of(options.out, scene);
+    viewers_.emplace(options, scene, 0, ranks.is_first());
     write_tables();
   }
 
@@ -87,18 +87,15 @@ class CaseSteps {
 
  private:
   void finish(double load, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton) {
-    const std::vector<Point> positions = solver_.positions(), forces = solver_.forces();
-    const auto stresses = options_.out.empty() && result.smallest_J > 0 ? Stresses() : solver_.stresses();
-    if (!options_.out.empty()) ranks_.count(record_);
-    if (!ranks_.is_first()) {
-      states_.emplace_back();
-      return;
-    }
-    CaseState state = case_state_of(scene_, options_.given_case, locations_, axes_, load, positions, forces);
+    // All ranks go through all of this; what they do not get is neither printed nor written.
     terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
                    result.iterations);
-    for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
-    warn(load, result, state, positions, stresses);
+    auto [state, applied] = sums_at(load);
+    if (ranks_.is_first()) {
+      for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
+    }
+    const std::unique_ptr<BodyState> of_solver = ranks_.state_of(solver_);
+    warn(load, result, applied, *of_solver);
     StepRecord step;
     step.newton_iterations = result.steps;
     step.pcg_iterations = result.iterations;
@@ -111,34 +108,42 @@ class CaseSteps {
     step.at = std::move(state);
     record_.steps.push_back(std::move(step));
     if (!viewers_) return;
-    viewers_->write_step(static_cast<double>(states_.size()), positions, stresses);
+    ranks_.count(record_);
+    viewers_->write_step(static_cast<double>(states_.size()), *of_solver);
     write_tables();
   }
 
-  void write_tables() const {
-    write_case_tables(options_.out, states_);
-    write_run_json(options_.out / "run.json", record_);
-  }
-
-  void warn(double load, const fem::NewtonResult& result, const CaseState& state, const std::vector<Point>& positions,
-            const Stresses& stresses) const {
-    // Loads that balance each other leave no reaction for the residual to be small against.
+  /// What groups and probes come to, and the square of the loads [N^2]; on the first rank, of vectors of all nodes.
+  [[nodiscard]] std::pair<CaseState, double> sums_at(double load) {
+    const std::vector<Point> positions = solver_.positions(), forces = solver_.forces();
+    if (!ranks_.is_first()) return {};
     double applied = 0;
     for (const Point& force : external_forces(scene_.history.at(load), positions)) {
       for (const double component : force) applied += component * component;
     }
+    return {case_state_of(scene_, options_.given_case, locations_, axes_, load, positions, forces), applied};
+  }
+
+  void write_tables() const {
+    if (!ranks_.is_first()) return;
+    write_case_tables(options_.out, states_);
+    write_run_json(options_.out / "run.json", record_);
+  }
+
+  /// @param applied the square of the loads [N^2]
+  void warn(double load, const fem::NewtonResult& result, double applied, BodyState& state) const {
+    // Loads that balance each other leave no reaction for the residual to be small against.
     const double allowed = options_.solver.newton.tolerance * std::max(result.reaction, std::sqrt(applied));
-    if ((state.load != 0 || applied > 0) && result.residual * result.reaction > allowed) {
+    if ((load != 0 || applied > 0) && result.residual * result.reaction > allowed) {
       terminal_.warning(
           "at a load of %g, rounding ended the solve with %.2e N left, above the %.2e N of the tolerance: "
           "the result is less accurate than was asked for. Try a larger --tolerance.",
           load, result.residual * result.reaction, allowed);
     }
     if (result.smallest_J > 0) return;
-    const fem::MeshLevel& level = scene_.levels.front();
     terminal_.warning(
         "at a load of %g, %s. A real body has no such equilibrium. Try more and smaller steps, or a finer mesh.", load,
-        truthcube::describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str());
+        truthcube::describe(find_suspect(scene_.levels.front(), state, options_.window), scene_).c_str());
   }
 
   [[nodiscard]] Outcome stop() const {
@@ -147,15 +152,12 @@ class CaseSteps {
   }
 
   [[nodiscard]] Outcome fail(double load, const fem::NewtonResult& result) const {
-    const fem::MeshLevel& level = scene_.levels.front();
-    const std::vector<Point> positions = solver_.positions();
-    const Stresses stresses = solver_.stresses();
-    if (!ranks_.is_first()) return Outcome::not_converged;
+    const SuspectTet suspect = find_suspect(scene_.levels.front(), *ranks_.state_of(solver_), options_.window);
     terminal_.error(
         "truthcube: no equilibrium at a load of %g: %s, after %d Newton steps, with a residual of %.2e; the last "
         "equilibrium is at %g.\nThere, %s.\nTry more and smaller steps in the case, %sor a finer mesh.",
         load, reason(result.status), result.steps, result.residual, solver_.load(),
-        truthcube::describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str(),
+        truthcube::describe(suspect, scene_).c_str(),
         options_.solver.precision == fem::TangentPrecision::float64 ? "" : "--precision double, ");
     return Outcome::not_converged;
   }
@@ -168,7 +170,7 @@ class CaseSteps {
   std::vector<std::optional<Point>> axes_;
   const Terminal& terminal_;
   const RanksOfRun& ranks_;
-  std::optional<ViewersFile> viewers_;  // of the rank that writes
+  std::optional<ViewersFile> viewers_;  // of a run that writes
   std::vector<CaseState> states_;
 };
 

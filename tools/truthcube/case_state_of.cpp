@@ -1,5 +1,6 @@
 #include "case_state_of.h"
 
+#include <fem/mesh/follow_numbers.h>
 #include <fem/mesh/geometry.h>
 #include <fem/solver/support_axes.h>
 #include <physgen/error.h>
@@ -104,7 +105,9 @@ CaseState case_state_of(const Scene& scene, const Case& given, const std::vector
   add("z", [](const Point& u) { return u[2]; });
   add("length", length);
   const std::vector<Probe>& probes = given.probes;
-  const auto at_probes = interpolate_displacements(locations, level.mesh, level.rest, positions);
+  const std::vector<Point> corners =
+      fem::in_order(std::span<const Point>(positions), corners_of(locations, level.mesh));
+  const auto at_probes = interpolate_displacements(locations, level.mesh, level.rest, corners);
   for (std::size_t p = 0; p < probes.size(); ++p) state.probes.push_back({probes[p].name, probes[p].at, at_probes[p]});
   return state;
 }

@@ -3,8 +3,12 @@
 
 #include <fem/solver/quasistatic.h>
 
+#include <cstddef>
 #include <limits>
 #include <span>
+
+#include "body_state.h"
+#include "output/window.h"
 
 namespace physgen::truthcube {
 
@@ -16,21 +20,20 @@ struct Estimates {
   double error_max = std::numeric_limits<double>::quiet_NaN();  ///< of displacements [m]
 };
 
-/// Force on the upper plate along z [N], from the forces on a level's nodes and what planes push. Negative under
-/// compression.
-/// @param upper the nodes of that level that the upper plate holds
-/// @param planes the upper one last; none where there is no contact
-[[nodiscard]] double plate_reaction(std::span<const fem::Index> upper, std::span<const fem::Point> forces,
-                                    std::span<const fem::PlaneContact> planes);
+/// Force on the upper plate along z [N], from the forces on a level's nodes that it holds and what planes push.
+/// Negative under compression.
+/// @param on_upper the forces on these nodes [N] @param planes the upper one last; none where there is no contact
+[[nodiscard]] double plate_reaction(std::span<const fem::Point> on_upper, std::span<const fem::PlaneContact> planes);
 
 /// @param levels finest first, two at least
 /// @param coarse_upper the nodes of the next coarser mesh that the upper plate holds
 /// @param reaction on the finest mesh [N]
-/// @param positions of the finest mesh's nodes [m]
-/// @param coarser the equilibrium on the next coarser mesh
+/// @param state all ranks call this with theirs; those that get no numbers estimate nothing
 /// @param order of convergence: with p, halving the cells leaves 1/(2^p - 1) of what it has changed
+/// @param window bytes
+/// @pre state.coarser_contacts()
 [[nodiscard]] Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
-                                       double reaction, std::span<const fem::Point> positions,
-                                       const fem::NodeState& coarser, double order = 1);
+                                       double reaction, BodyState& state, double order = 1,
+                                       std::size_t window = window_bytes);
 
 }  // namespace physgen::truthcube

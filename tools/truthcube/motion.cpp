@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 
 #include "arrays.h"
 #include "estimates.h"
@@ -91,7 +92,6 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
                    RunRecord& record, const Terminal& terminal, const RanksOfRun& ranks) {
   const Interrupts interrupts;
   const MotionOptions& motion = options.motion;
-  const fem::MeshLevel& level = scene.levels.front();
   const double interval = motion.duration / motion.frames;
   const auto steps = static_cast<long long>(std::ceil(interval / longest_step(options, scene) * (1 - 1e-12)));
   const double length = interval / static_cast<double>(steps);
@@ -117,11 +117,9 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     }
     const fem::MotionMeasure measure = solver.measure();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    const auto stresses = solver.stresses();
-    const auto positions = solver.positions(), forces = solver.forces();
+    const std::unique_ptr<BodyState> state = ranks.state_of(solver);
     const auto contacts = solver.plane_contacts();
-    const SuspectTet suspect =
-        ranks.is_first() ? find_suspect(level.mesh, level.rest, positions, stresses) : SuspectTet{};
+    const SuspectTet suspect = find_suspect(scene.levels.front(), *state, options.window);
     if (!measure.is_finite() || ranks.any(!suspect.is_finite)) {
       terminal.error("truthcube: the motion is not finite at %g s, time step %lld of this state: %s.", solver.time(),
                      static_cast<long long>(effort.steps), describe(suspect, scene).c_str());
@@ -141,13 +139,8 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
           describe(suspect, scene).c_str());
       return Outcome::not_converged;
     }
-    if (files.writes()) ranks.count(record);
-    if (!ranks.is_first()) {
-      record.steps.emplace_back();
-      continue;
-    }
     const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
-    const double reaction = plate_reaction(scene.plates.upper.nodes.front(), forces, contacts);
+    const double reaction = plate_reaction(state->forces(0, scene.plates.upper.nodes.front()), contacts);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     record.steps.push_back({compression,
                             effort.newton,
@@ -158,7 +151,7 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
                             reaction,
                             none,
                             none,
-                            reach_past_plates(scene, compression, positions),
+                            reach_past_plates(scene, compression, *state, options.window),
                             seconds,
                             none,
                             solver.time(),
@@ -175,7 +168,9 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
           solver.time(), describe(suspect, scene).c_str());
     }
     before = suspect;
-    if (files.writes()) files.write_step(record, solver.time(), positions, stresses);
+    if (!files.writes()) continue;
+    ranks.count(record);
+    files.write_step(record, solver.time(), *state);
   }
   if (states_inverted > 0) {
     terminal.warning("%d of %d states have inverted tets.", states_inverted, motion.frames);

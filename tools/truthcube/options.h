@@ -4,11 +4,13 @@
 #include <fem/solver/scene_rows.h>
 #include <fem/solver/settings.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "case_file.h"
+#include "output/window.h"
 #include "plates.h"
 
 namespace physgen::truthcube {
@@ -61,6 +63,7 @@ struct Options {
   bool historical = false;    ///< whether the tolerance is an absolute force, which the height of the body decides
   std::filesystem::path out;  ///< empty: nothing is written
   Output output = Output::body;
+  std::size_t window = window_bytes;  ///< of states that are printed and written; smaller in tests
   std::filesystem::path beads;
   bool restart = false, dry_run = false, set_up_only = false, timings = false, quiet = false;
   int repetitions = 0;             ///< of all solves, for their time

@@ -18,18 +18,4 @@ DrawnMesh::DrawnMesh(const Scene& scene) : rest(scene.levels.front().rest), tets
   tets = own_tets;
 }
 
-Fields in_own_order(Fields fields, const fem::Renumbering& numbers) {
-  const auto& [nodes, tets] = numbers;
-  if (nodes.empty()) return fields;
-  const auto put = [](std::vector<double>& values, const std::vector<Index>& order, std::size_t each) {
-    values = fem::in_old_order(std::span<const double>(values), std::span(order), each);
-  };
-  put(fields.displacement, nodes, 3);
-  put(fields.pressure, nodes, 1);
-  put(fields.stress, tets, 6);
-  put(fields.von_mises, tets, 1);
-  put(fields.volume_ratio, tets, 1);
-  return fields;
-}
-
 }  // namespace physgen::truthcube

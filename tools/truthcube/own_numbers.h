@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "fields.h"
 #include "scene.h"
 
 namespace physgen::truthcube {
@@ -22,8 +21,5 @@ struct DrawnMesh {
   std::span<const fem::Point> rest;
   std::span<const std::array<fem::Index, 4>> tets;
 };
-
-/// Fields under the mesh's own numbers.
-[[nodiscard]] Fields in_own_order(Fields fields, const fem::Renumbering& numbers);
 
 }  // namespace physgen::truthcube

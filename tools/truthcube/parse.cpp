@@ -253,6 +253,7 @@ Options parse(const std::vector<std::string>& arguments) {
                  "more than 50653 nodes, and eight blocks of 2048 nodes for each rank")
       ->check(whole_number(0, 2147483647))
       ->type_name("N");
+  app.add_option("--window", options.window)->group("");  // for tests: in no help
   app.add_flag("--timings", options.timings,
                "print what each stage of the set-up takes, beside the bytes that it moves at least");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");

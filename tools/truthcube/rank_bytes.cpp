@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "run_bytes.h"
+#include "state_windows.h"
 
 namespace physgen::truthcube {
 
@@ -59,6 +60,17 @@ std::int64_t bytes_of_whole(const LevelCounts& c) {
   return 4 * index * c.tets + (2 * point + 1 + 2 * index) * c.nodes + 9 * index * c.patches;
 }
 
+/// What the first rank has of a state that it prints and writes.
+std::int64_t bytes_of_state(const LevelCounts& finest, std::size_t window, bool sums_groups) {
+  constexpr std::int64_t index = sizeof(fem::Index), point = 3 * sizeof(double);
+  const WindowSizes windows(window);
+  const std::size_t of_windows =
+      windows.bytes(static_cast<std::size_t>(finest.nodes), static_cast<std::size_t>(finest.tets));
+  // Positions, displacements, forces, loads, and the numbers of all nodes, which are a group.
+  const std::int64_t of_groups = sums_groups ? (4 * point + index) * finest.nodes : 0;
+  return std::max(static_cast<std::int64_t>(of_windows), of_groups);
+}
+
 }  // namespace
 
 RunBytes bytes_of_rank(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, RunArrays arrays,
@@ -72,7 +84,7 @@ RunBytes bytes_of_rank(const std::vector<LevelCounts>& levels, const fem::Solver
     const bool has_lists = !ranks.has_layers || l >= ranks.cut;
     bytes.meshes += has_lists ? bytes_of_mesh(levels[l]) : bytes_of_whole(levels[l]);
   }
-  if (ranks.writes) bytes.results = bytes_of_results(levels);
+  if (ranks.window) bytes.results = bytes_of_state(levels.front(), *ranks.window, ranks.sums_groups);
   if (!ranks.has_layers) {
     bytes.lists = bytes_of_run(levels, settings, arrays).lists;
     return bytes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "solver_bytes.h"
@@ -14,7 +15,9 @@ struct RanksOfBytes {
   std::size_t cut = 0;      ///< the finest so many levels are cut: fem::levels_cut_by_solver()
   int cells = 0;            ///< of a side of the cube; 0: of another mesh
   bool has_layers = false;  ///< a rank makes lists of the cube's layers that it needs, and not of the whole
-  bool writes = false;      ///< whether the first rank writes what all have
+  /// Whether the first rank prints and writes states, by windows of so many bytes.
+  std::optional<std::size_t> window = std::nullopt;
+  bool sums_groups = false;  ///< as of a case, for which the first rank has some numbers of all nodes
 };
 
 /// Bytes of the rank that has most: of its arrays, to 10 % of what the solver says of a cube then, of its lists, and

@@ -21,6 +21,7 @@
 #include "memory.h"
 #include "rank_bytes.h"
 #include "scene_choice.h"
+#include "state_on_ranks.h"
 
 namespace physgen::truthcube {
 
@@ -164,6 +165,19 @@ std::int64_t RanksOfRun::free_on_gpu() const {
   return cuda_memory();
 }
 
+std::unique_ptr<BodyState> RanksOfRun::state_of(fem::EquilibriumSolver& solver) const {
+  if (are_several()) return std::make_unique<StateOnRanks>(*solver_, is_first());
+  return std::make_unique<WholeState>(solver);
+}
+
+std::unique_ptr<BodyState> RanksOfRun::state_of(fem::DynamicSolver& solver) const {
+  if (are_several()) return std::make_unique<StateOnRanks>(*solver_, is_first());
+  return std::make_unique<WholeState>(
+      WholeState::Makers{.positions = [&solver] { return std::vector<WholeState::Points>{solver.positions()}; },
+                         .forces = [&solver] { return solver.forces(); },
+                         .stresses = [&solver] { return solver.stresses(); }});
+}
+
 #ifdef PHYSGEN_TRUTHCUBE_HAS_RANKS
 
 std::unique_ptr<fem::EquilibriumSolver> RanksOfRun::make_solver(const Options& options,
@@ -205,9 +219,14 @@ RunBytes RanksOfRun::bytes_of_each(const Options& options, const std::vector<Lev
                                    const RunArrays& arrays, const RunBytes& of_one) const {
   if (!are_several()) return of_one;
   const bool has_layers = levels_without_lists(options, counts) > 0;
-  return bytes_of_rank(counts, options.solver, arrays,
-                       {ranks_.count(), levels_cut(options, counts), options.is_cube() ? options.cells : 0, has_layers,
-                        !options.out.empty() && is_beside_first_});
+  return bytes_of_rank(
+      counts, options.solver, arrays,
+      {.count = ranks_.count(),
+       .cut = levels_cut(options, counts),
+       .cells = options.is_cube() ? options.cells : 0,
+       .has_layers = has_layers,
+       .window = !options.out.empty() && is_beside_first_ ? std::optional(options.window) : std::nullopt,
+       .sums_groups = options.is_case()});
 }
 
 void RanksOfRun::print_parts(const Terminal& terminal) const {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "body_state.h"
 #include "options.h"
 #include "output/run_json.h"
 #include "sizes.h"
@@ -65,6 +66,9 @@ class RanksOfRun {
                                                                 const std::vector<fem::MeshLevel>& levels,
                                                                 const fem::Loading& loading,
                                                                 const fem::DynamicSettings& settings);
+  /// The state of the solver of this run, with one rank or several: until the solver goes on.
+  [[nodiscard]] std::unique_ptr<BodyState> state_of(fem::EquilibriumSolver& solver) const;
+  [[nodiscard]] std::unique_ptr<BodyState> state_of(fem::DynamicSolver& solver) const;
   /// A line for each rank: its machine, its part of the finest mesh, and its bytes. @pre make_solver()
   void print_parts(const Terminal& terminal) const;
   /// A line for each rank: what it sends in an iteration of conjugate gradients, or where there are none in a time

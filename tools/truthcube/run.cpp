@@ -209,7 +209,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   files.write_record(record);
   if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal, ranks);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
-  return Steps(scene, *solver, files, record, beads, terminal, ranks, tolerance, solve_words(options))
+  return Steps(scene, *solver, files, record, beads, terminal, ranks, tolerance, solve_words(options), options.window)
       .run(options.compressions, options.repetitions);
 }
 

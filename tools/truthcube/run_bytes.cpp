@@ -43,15 +43,6 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
   return bytes;
 }
 
-std::int64_t bytes_of_results(const std::vector<LevelCounts>& levels) {
-  constexpr std::int64_t real = sizeof(double), point = 3 * real;
-  // Of a tet nine stresses, and as they are drawn six, with von Mises' and J; of a node also its displacement, and its
-  // pressure with the volume that it is averaged by.
-  std::int64_t bytes = (9 + 6 + 1 + 1) * real * levels.front().tets + (3 * point + 2 * real) * levels.front().nodes;
-  for (const LevelCounts& level : levels) bytes += 2 * point * level.nodes;
-  return bytes;
-}
-
 RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
                       const RunArrays& arrays) {
   RunBytes bytes = solver_bytes(levels, settings, arrays);

@@ -11,8 +11,4 @@ namespace physgen::truthcube {
 /// The bytes that a mesh of a level takes in the host's memory.
 [[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);
 
-/// What a process that writes a step has of it, as vectors of all objects: positions, forces and stresses, the fields
-/// that are drawn of them, and positions of all levels, twice, for a checkpoint.
-[[nodiscard]] std::int64_t bytes_of_results(const std::vector<LevelCounts>& levels);
-
 }  // namespace physgen::truthcube

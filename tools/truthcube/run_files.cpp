@@ -5,9 +5,12 @@
 
 #include <cerrno>
 #include <cstring>
+#include <numeric>
+#include <span>
 
 #include "choices.h"
 #include "settings_json.h"
+#include "state_windows.h"
 
 namespace physgen::truthcube {
 
@@ -21,15 +24,6 @@ constexpr const char* record_name = "run.json";
 
 OrderMark mark_of(const Options& options, const Scene& scene) {
   return {name_of(orders, options.order), scene.order.digest()};
-}
-
-/// Positions of all levels behind each other, as a checkpoint has them.
-std::vector<double> flat(const fem::SolverState& state) {
-  std::vector<double> numbers;
-  for (const auto& level : state.positions) {
-    for (const Point& x : level) numbers.insert(numbers.end(), x.begin(), x.end());
-  }
-  return numbers;
 }
 
 }  // namespace
@@ -70,44 +64,57 @@ RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mes
       mesh_hash_(mesh_hash),
       order_(mark_of(options, scene)),
       rest_(scene.levels.front().rest),
-      mesh_(scene.levels.front().mesh) {
-  if (folder_.empty() || !is_first) return;
+      mesh_(scene.levels.front().mesh),
+      is_first_(is_first),
+      window_(options.window) {
+  if (folder_.empty()) return;
   const auto csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
-  if (steps_done == 0) {
+  if (is_first && steps_done == 0) {
     std::filesystem::remove(file(checkpoint_name));
     write_order_of(folder_, scene);
   }
-  viewers_.emplace(options, scene, steps_done);
+  viewers_.emplace(options, scene, steps_done, is_first);
   if (!options.is_cube()) return;
-  beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
   locations_ = fem::locate(rest_, mesh_, bead_positions());
+  if (is_first) beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
 }
 
 void RunFiles::write_record(const RunRecord& record) const {
-  if (viewers_) write_run_json(file(record_name), record);
+  if (writes() && is_first_) write_run_json(file(record_name), record);
 }
 
-void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
-                          const std::vector<std::array<double, 9>>& stresses) {
-  if (!viewers_) return;
-  viewers_->write_step(time, positions, stresses);
-  if (beads_) {
-    beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, positions));
+void RunFiles::write_step(const RunRecord& record, double time, BodyState& state) {
+  if (!writes()) return;
+  viewers_->write_step(time, state);
+  if (!locations_.empty()) {
+    const std::vector<Point> corners = state.positions(0, corners_of(locations_, mesh_));
+    if (beads_) {
+      beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, corners));
+    }
   }
   write_record(record);
 }
 
-void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState& state) const {
-  if (!viewers_) return;
+void RunFiles::write_checkpoint(const RunRecord& record, BodyState& state) const {
+  if (!writes()) return;
+  const std::vector<fem::Index> nodes = state.nodes_of_levels();
+  const auto each_level = [&](const auto& take) {
+    for (std::size_t l = 0; l < nodes.size(); ++l) {
+      each_window(0, static_cast<std::size_t>(nodes[l]), WindowSizes(window_).nodes(),
+                  [&](std::span<const fem::Index> numbers) { take(state.positions(l, numbers)); });
+    }
+  };
+  if (!is_first_) return each_level([](const std::vector<Point>& /*none*/) {});
   // Last: what it counts is complete.
-  truthcube::write_checkpoint(file(checkpoint_name), {settings_,
-                                                      mesh_hash_,
-                                                      static_cast<int>(record.steps.size()),
-                                                      record.steps.back().compression,
-                                                      flat(state),
-                                                      {},
-                                                      order_});
+  truthcube::write_checkpoint(
+      file(checkpoint_name),
+      {settings_, mesh_hash_, static_cast<int>(record.steps.size()), record.steps.back().compression, {}, {}, order_},
+      3 * std::accumulate(nodes.begin(), nodes.end(), std::uint64_t{0}), [&](const TakePositions& take) {
+        each_level([&](const std::vector<Point>& positions) {
+          take({positions.front().data(), 3 * positions.size()});  // Points are arrays without gaps
+        });
+      });
 }
 
 void require_last_order(const Options& options) {

@@ -4,11 +4,13 @@
 #include <fem/mesh/locate.h>
 #include <fem/solver/quasistatic.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "body_state.h"
 #include "options.h"
 #include "output/beads.h"
 #include "output/checkpoint.h"
@@ -33,7 +35,8 @@ void write_order_of(const std::filesystem::path& folder, const Scene& scene);
 
 class RunFiles {
  public:
-  /// Begins the files anew, or continues those of a run after its first `steps_done` steps.
+  /// Begins the files anew, or continues those of a run after its first `steps_done` steps. All ranks have one, and
+  /// call the same functions.
   /// @param scene stays alive as long as this. @param mesh_hash of its finest level
   /// @param is_first whether this is the rank that writes: the others write nothing
   /// @throw Error when a file cannot be written, or does not continue this run
@@ -43,11 +46,10 @@ class RunFiles {
   [[nodiscard]] bool writes() const { return !folder_.empty(); }
   /// The record without steps of this run, for whoever looks before the first.
   void write_record(const RunRecord& record) const;
-  /// The last step in the record. @param time as viewers show it @param stresses of the solver, per tet [Pa]
-  void write_step(const RunRecord& record, double time, const std::vector<fem::Point>& positions,
-                  const std::vector<std::array<double, 9>>& stresses);
+  /// The last step in the record. @param time as viewers show it
+  void write_step(const RunRecord& record, double time, BodyState& state);
   /// From which a run goes on behind that step. @pre it is written
-  void write_checkpoint(const RunRecord& record, const fem::SolverState& state) const;
+  void write_checkpoint(const RunRecord& record, BodyState& state) const;
 
  private:
   [[nodiscard]] std::filesystem::path file(const char* name) const { return folder_ / name; }
@@ -58,9 +60,11 @@ class RunFiles {
   OrderMark order_;
   const std::vector<fem::Point>& rest_;
   const fem::TetMesh& mesh_;
+  bool is_first_;
+  std::size_t window_;
   std::optional<ViewersFile> viewers_;
-  std::optional<BeadFile> beads_;  ///< of the cube
-  std::vector<fem::Location> locations_;
+  std::optional<BeadFile> beads_;         ///< of the cube, of the rank that writes
+  std::vector<fem::Location> locations_;  ///< of beads of the cube
 };
 
 /// For a run that goes on. @throw Error when the checkpoint in its folder is of another --order

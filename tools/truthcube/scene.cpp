@@ -13,11 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "memory.h"
 #include "run_bytes.h"
 #include "scene_choice.h"
+#include "state_windows.h"
 
 namespace physgen::truthcube {
 
@@ -233,10 +235,13 @@ std::string name_of_tet(const Scene& scene, Index tet) {
          std::to_string(scene.tet_tags[element]) + " of the mesh file)";
 }
 
-double reach_past_plates(const Scene& scene, double compression, const std::vector<fem::Point>& positions) {
+double reach_past_plates(const Scene& scene, double compression, BodyState& state, std::size_t window) {
   const double upper = scene.plates.low + scene.plates.height() * (1 - compression);
   double most = 0;
-  for (const fem::Point& x : positions) most = std::max({most, x[2] - upper, scene.plates.low - x[2]});
+  each_window(0, scene.levels.front().rest.size(), WindowSizes(window).nodes(), [&](std::span<const Index> nodes) {
+    for (const fem::Point& x : state.positions(0, nodes))
+      most = std::max({most, x[2] - upper, scene.plates.low - x[2]});
+  });
   return most;
 }
 

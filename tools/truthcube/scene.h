@@ -6,11 +6,14 @@
 #include <fem/solver/quasistatic.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "body_state.h"
 #include "options.h"
 #include "output/order_file.h"
+#include "output/window.h"
 #include "plates.h"
 #include "sizes.h"
 
@@ -70,8 +73,9 @@ void adapt_smoother(Options& options, const Scene& scene);
 /// (element 345 of the mesh file)".
 [[nodiscard]] std::string name_of_tet(const Scene& scene, fem::Index tet);
 
-/// How far the body reaches past the planes of the plates at a compression [m].
-[[nodiscard]] double reach_past_plates(const Scene& scene, double compression,
-                                       const std::vector<fem::Point>& positions);
+/// How far the body reaches past the planes of the plates at a compression [m]; 0 on ranks that get no positions. All
+/// ranks call it. @param window bytes
+[[nodiscard]] double reach_past_plates(const Scene& scene, double compression, BodyState& state,
+                                       std::size_t window = window_bytes);
 
 }  // namespace physgen::truthcube

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <ranges>
 #include <set>
 #include <string>
@@ -113,7 +114,7 @@ MeasuredBeads::MeasuredBeads(const std::filesystem::path& file, const fem::MeshL
 Outcome Steps::run(const std::vector<double>& compressions, int repetitions) {
   const Interrupts interrupts;
   const std::size_t steps_before = record_.steps.size();
-  const fem::SolverState beginning = solver_.state();
+  const fem::SolverState beginning = repetitions > 0 ? solver_.state() : fem::SolverState();
   for (const double compression : compressions) {
     if (compression <= solver_.load()) continue;
     if (ranks_.any(interrupted != 0)) return stop();
@@ -165,19 +166,16 @@ Outcome Steps::stop() const {
 
 void Steps::finish(double compression, const fem::NewtonResult& result, double seconds,
                    std::vector<NewtonRecord> newton) {
-  const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
+  // All ranks go through all of this; what they do not get is neither printed nor written.
+  const std::unique_ptr<BodyState> of_solver = ranks_.state_of(solver_);
+  BodyState& state = *of_solver;
   const std::vector<fem::PlaneContact> contacts = solver_.plane_contacts();
-  const std::optional<fem::NodeState> coarser = solver_.coarser_equilibrium();
-  const auto stresses = files_.writes() || result.smallest_J <= 0 ? solver_.stresses() : Stresses();
-  const fem::SolverState state = files_.writes() ? solver_.state() : fem::SolverState();
-  if (files_.writes()) ranks_.count(record_);
-  if (!ranks_.is_first()) return record_.steps.push_back({.compression = compression});
-  const double reaction = plate_reaction(scene_.plates.upper.nodes.front(), forces, contacts);
-  const double reach = reach_past_plates(scene_, compression, positions);
+  const double reaction = plate_reaction(state.forces(0, scene_.plates.upper.nodes.front()), contacts);
+  const double reach = reach_past_plates(scene_, compression, state, window_);
   Estimates estimates;
-  if (coarser) {
-    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser,
-                               order_of_errors(scene_.grading));
+  if (state.coarser_contacts()) {
+    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, state,
+                               order_of_errors(scene_.grading), window_);
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
                            result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
@@ -202,15 +200,15 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   } else if (reach > 1e-6 * scene_.plates.height()) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
-  warn(compression, result, positions, stresses);
-  compare(compression, positions);
+  warn(compression, result, state);
+  compare(compression, state);
   if (!files_.writes()) return;
-  files_.write_step(record_, compression, positions, stresses);
+  ranks_.count(record_);
+  files_.write_step(record_, compression, state);
   files_.write_checkpoint(record_, state);
 }
 
-void Steps::warn(double compression, const fem::NewtonResult& result, const std::vector<Point>& positions,
-                 const Stresses& stresses) const {
+void Steps::warn(double compression, const fem::NewtonResult& result, BodyState& state) const {
   if (tolerance_ > 0 && result.residual > tolerance_) {
     terminal_.warning(
         "at a compression of %g, rounding ended the solve at a residual of %.2e, above the tolerance of %.2e: "
@@ -218,13 +216,12 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
         compression, result.residual, tolerance_);
   }
   if (result.smallest_J > 0) return;
-  const fem::MeshLevel& level = scene_.levels.front();
   // Sides that fold past a plate turn cells over that are narrower than the fold.
   const char* remedies = scene_.grading > 1
                              ? "--plates contact, a smaller --grading, or more and smaller --compress steps"
                              : "more and smaller --compress steps, more --cells, or --plates contact";
   terminal_.warning("at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
-                    describe(find_suspect(level.mesh, level.rest, positions, stresses), scene_).c_str(), remedies);
+                    describe(find_suspect(scene_.levels.front(), state, window_), scene_).c_str(), remedies);
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
@@ -237,22 +234,20 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
       "truthcube: no equilibrium at a compression of %g: %s, after %d %s, with a residual of %.2e; the last "
       "equilibrium is at %g.",
       compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
-  const fem::MeshLevel& level = scene_.levels.front();
-  const std::vector<Point> positions = solver_.positions();
-  const Stresses stresses = solver_.stresses();
-  if (!ranks_.is_first()) return Outcome::not_converged;
-  const SuspectTet suspect = find_suspect(level.mesh, level.rest, positions, stresses);
+  const SuspectTet suspect = find_suspect(scene_.levels.front(), *ranks_.state_of(solver_), window_);
   terminal_.error("There, %s.", describe(suspect, scene_).c_str());
   terminal_.error("Try %s.", words_.remedies.c_str());
   return Outcome::not_converged;
 }
 
-void Steps::compare(double compression, const std::vector<Point>& positions) const {
+void Steps::compare(double compression, BodyState& state) const {
   if (!beads_) return;
   const BeadTable& table = beads_->table;
   const fem::MeshLevel& level = scene_.levels.front();
-  const auto errors = compare_beads(table, compression,
-                                    interpolate_displacements(beads_->locations, level.mesh, level.rest, positions));
+  const std::vector<Point> corners = state.positions(0, corners_of(beads_->locations, level.mesh));
+  if (!state.is_here()) return;
+  const auto errors =
+      compare_beads(table, compression, interpolate_displacements(beads_->locations, level.mesh, level.rest, corners));
   if (!errors) {
     terminal_.line("  %s has no beads at a compression of %g, only at %s", table.file.c_str(), compression,
                    compressions_of(table).c_str());

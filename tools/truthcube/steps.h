@@ -4,7 +4,7 @@
 #include <fem/mesh/locate.h>
 #include <fem/solver/quasistatic.h>
 
-#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "body_state.h"
 #include "outcome.h"
 #include "output/bead_table.h"
 #include "output/run_json.h"
@@ -35,8 +36,6 @@ struct MeasuredBeads {
 [[nodiscard]] const char* reason(fem::NewtonStatus status);
 
 class LastEquilibrium;
-using Stresses = std::vector<std::array<double, 9>>;  ///< of a solver, per tet
-
 /// How a run speaks of its solves.
 struct SolveWords {
   std::string what;      ///< the steps of a solve, in the plural
@@ -47,9 +46,10 @@ class Steps {
  public:
   /// All stay alive as long as this. @param record gets an entry for each step
   /// @param tolerance of the residual; 0: of another measure
+  /// @param window bytes of what is printed
   Steps(const Scene& scene, fem::EquilibriumSolver& solver, RunFiles& files, RunRecord& record,
         const std::optional<MeasuredBeads>& beads, const Terminal& terminal, const RanksOfRun& ranks, double tolerance,
-        SolveWords words)
+        SolveWords words, std::size_t window)
       : scene_(scene),
         solver_(solver),
         files_(files),
@@ -58,7 +58,8 @@ class Steps {
         terminal_(terminal),
         ranks_(ranks),
         tolerance_(tolerance),
-        words_(std::move(words)) {}
+        words_(std::move(words)),
+        window_(window) {}
 
   /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
   /// @param repetitions of all solves once more from where they began, for their time without what a program does once
@@ -71,12 +72,11 @@ class Steps {
   /// Prints and writes an equilibrium. @param newton the steps that led to it
   void finish(double compression, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton);
   /// Says on standard error why an equilibrium should not be taken as it is.
-  void warn(double compression, const fem::NewtonResult& result, const std::vector<fem::Point>& positions,
-            const Stresses& stresses) const;
+  void warn(double compression, const fem::NewtonResult& result, BodyState& state) const;
   /// Writes the last equilibrium on the way, and says what stopped the run.
   [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
                              double seconds);
-  void compare(double compression, const std::vector<fem::Point>& positions) const;
+  void compare(double compression, BodyState& state) const;
 
   const Scene& scene_;
   fem::EquilibriumSolver& solver_;
@@ -87,6 +87,7 @@ class Steps {
   const RanksOfRun& ranks_;
   double tolerance_;
   SolveWords words_;
+  std::size_t window_;
 };
 
 }  // namespace physgen::truthcube

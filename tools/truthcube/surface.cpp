@@ -16,17 +16,6 @@ Face sorted(Face face) {
   return face;
 }
 
-/// The values of these rows. @param columns of each
-std::vector<double> rows_of(const std::vector<double>& values, const std::vector<Index>& rows, std::size_t columns) {
-  std::vector<double> result;
-  result.reserve(columns * rows.size());
-  for (const Index row : rows) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(columns * static_cast<std::size_t>(row));
-    result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(columns));
-  }
-  return result;
-}
-
 }  // namespace
 
 Surface surface_of(const fem::TetMesh& mesh) {
@@ -59,12 +48,6 @@ std::vector<fem::Point> points_of(const Surface& surface, std::span<const fem::P
   result.reserve(surface.nodes.size());
   for (const Index n : surface.nodes) result.push_back(points[static_cast<std::size_t>(n)]);
   return result;
-}
-
-Fields fields_of(const Surface& surface, const Fields& fields) {
-  return {rows_of(fields.displacement, surface.nodes, 3), rows_of(fields.pressure, surface.nodes, 1),
-          rows_of(fields.stress, surface.tets, 6), rows_of(fields.von_mises, surface.tets, 1),
-          rows_of(fields.volume_ratio, surface.tets, 1)};
 }
 
 std::vector<CellGroup> groups_of(const Surface& surface, std::span<const fem::MeshGroup> groups) {

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fields.h"
-#include "output/vtkhdf.h"
+#include "output/viewed_mesh.h"
 
 namespace physgen::truthcube {
 
@@ -22,9 +21,6 @@ struct Surface {
 
 /// What belongs to the surface, in its order.
 [[nodiscard]] std::vector<fem::Point> points_of(const Surface& surface, std::span<const fem::Point> points);
-/// Tets' fields become those of the triangles before them.
-[[nodiscard]] Fields fields_of(const Surface& surface, const Fields& fields);
-
 /// Which triangles are of a group, for each that has faces or tets: its faces; of a group without faces, those before
 /// its tets. The names are "group_" and the group's, with '_' for '/' and '.', and a number where two are equal then.
 [[nodiscard]] std::vector<CellGroup> groups_of(const Surface& surface, std::span<const fem::MeshGroup> groups);

@@ -4,26 +4,40 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 #include "deformation.h"
+#include "state_windows.h"
 
 namespace physgen::truthcube {
 
-SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                        std::span<const fem::Point> positions, std::span<const std::array<double, 9>> stresses) {
+SuspectTet find_suspect(const fem::MeshLevel& level, BodyState& state, std::size_t window) {
   SuspectTet suspect;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const Eigen::Matrix3d F = deformation_gradient(mesh.tets[t], rest, positions);
-    const double J = F.determinant();
-    const bool finite = F.allFinite() && std::ranges::all_of(stresses[t], [](double p) { return std::isfinite(p); });
-    if (finite && J <= 0) ++suspect.inverted;
-    if (finite && t > 0 && !(J < suspect.J)) continue;
-    suspect.tet = static_cast<fem::Index>(t);
-    suspect.J = J;
-    suspect.is_finite = finite;
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(suspect.F.data()) = F;
-    if (!finite) break;
-  }
+  struct Deformed {
+    Eigen::Matrix3d F;
+    double J;
+    bool is_finite;
+  };
+  std::vector<Deformed> all;
+  each_window(0, level.mesh.tets.size(), WindowSizes(window).tets(), [&](std::span<const fem::Index> tets) {
+    all.resize(state.is_here() ? tets.size() : 0);
+    each_tet(state, level.mesh, level.rest, tets, [&](std::size_t i, const TetState& tet) {
+      const Eigen::Matrix3d F = deformation_gradient(tet);
+      const bool is_finite =
+          F.allFinite() && std::ranges::all_of(tet.stress, [](double p) { return std::isfinite(p); });
+      all[i] = {F, F.determinant(), is_finite};
+    });
+    for (std::size_t i = 0; i < all.size() && suspect.is_finite; ++i) {
+      const auto& [F, J, is_finite] = all[i];
+      if (is_finite && J <= 0) ++suspect.inverted;
+      if (is_finite && tets[i] > 0 && !(J < suspect.J)) continue;
+      suspect.tet = tets[i];
+      suspect.J = J;
+      suspect.is_finite = is_finite;
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(suspect.F.data()) = F;
+    }
+  });
   return suspect;
 }
 

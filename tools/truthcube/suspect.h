@@ -4,9 +4,11 @@
 #include <fem/mesh/mesh.h>
 
 #include <array>
-#include <span>
+#include <cstddef>
 #include <string>
 
+#include "body_state.h"
+#include "output/window.h"
 #include "scene.h"
 
 namespace physgen::truthcube {
@@ -20,10 +22,8 @@ struct SuspectTet {
 };
 
 /// The first tet whose deformation gradient or stress is not finite; where all are, that of the smallest J.
-/// @param stresses of the solver, per tet, by columns [Pa]
-[[nodiscard]] SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                                      std::span<const fem::Point> positions,
-                                      std::span<const std::array<double, 9>> stresses);
+/// All ranks call it; on those that get no numbers nothing is suspect. @param window bytes
+[[nodiscard]] SuspectTet find_suspect(const fem::MeshLevel& level, BodyState& state, std::size_t window = window_bytes);
 
 /// "tet 7 is deformed most: J 0.31, F = [...; ...; ...]", or what else is wrong with it. @param scene names its tets
 [[nodiscard]] std::string describe(const SuspectTet& suspect, const Scene& scene);

@@ -1,17 +1,13 @@
 // cube.vtkhdf of a run: the body or its surface alone, and its states.
 #pragma once
 
-#include <fem/solver/quasistatic.h>
-
-#include <array>
 #include <optional>
-#include <vector>
 
+#include "body_state.h"
 #include "fields.h"
 #include "options.h"
 #include "output/vtkhdf.h"
 #include "scene.h"
-#include "surface.h"
 
 namespace physgen::truthcube {
 
@@ -19,21 +15,18 @@ inline constexpr const char* viewers_name = "cube.vtkhdf";
 
 class ViewersFile {
  public:
-  /// Begins the file in options.out anew, or continues it after its first steps.
-  /// @param scene stays alive as long as this
+  /// Begins the file in options.out anew, or continues it after its first steps. All ranks have one.
+  /// @param scene stays alive as long as this @param writes whether this is the rank that writes
   /// @throw Error as VtkHdfWriter
-  ViewersFile(const Options& options, const Scene& scene, int steps_done);
+  ViewersFile(const Options& options, const Scene& scene, int steps_done, bool writes);
 
-  /// @param time as viewers show it @param stresses of the solver, per tet [Pa]
-  void write_step(double time, const std::vector<fem::Point>& positions,
-                  const std::vector<std::array<double, 9>>& stresses);
+  /// All ranks call it. @param time as viewers show it
+  /// @throw Error as VtkHdfWriter
+  void write_step(double time, BodyState& state);
 
  private:
-  const fem::MeshLevel& level_;
-  const fem::Renumbering& numbers_;  // the file has the mesh's own
-  Strain strain_;
-  std::optional<Surface> surface_;  // under the mesh's own numbers
-  std::optional<VtkHdfWriter> file_;
+  std::optional<DrawnFields> fields_;
+  std::optional<VtkHdfWriter> file_;  // of the rank that writes
 };
 
 }  // namespace physgen::truthcube

@@ -82,6 +82,9 @@ class File {
   /// A new dataset of fixed shape: rows of `columns` values, or, with 0 columns, one value per row.
   template <class Stored, class T>
   void write_dataset(const std::string& name, std::span<const T> values, hsize_t columns = 0);
+  /// The same, whose rows write_rows() writes, all of them.
+  template <class Stored>
+  void make_dataset(const std::string& name, hsize_t rows);
   template <class T>
   [[nodiscard]] std::vector<T> read_dataset(const std::string& name) const;
 
@@ -94,7 +97,7 @@ class File {
   /// A new dataset without rows that can grow, by chunks of so many rows.
   template <class Stored>
   void make_growing(const std::string& name, hsize_t chunk_rows, hsize_t columns = 0);
-  /// Writes rows of a growing dataset, which gets longer where it is too short.
+  /// Writes rows of a dataset. A growing one gets longer where it is too short. @pre some rows
   template <class T>
   void write_rows(const std::string& name, hsize_t first_row, std::span<const T> values);
   [[nodiscard]] std::vector<double> read_rows(const std::string& name, hsize_t first_row, hsize_t rows) const;

@@ -37,6 +37,15 @@ void File::write_dataset(const std::string& name, std::span<const T> values, hsi
   write_fixed(name, file_type<Stored>(), memory_type<T>(), values.data(), shape);
 }
 
+template <class Stored>
+void File::make_dataset(const std::string& name, hsize_t rows) {
+  const std::string asked = "create " + name;
+  const Handle space = hold(H5Screate_simple(1, &rows, nullptr), H5Sclose, asked);
+  const Handle properties = without_times(H5P_DATASET_CREATE, asked);
+  hold(H5Dcreate2(file_.id(), name.c_str(), file_type<Stored>(), space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+       H5Dclose, asked);
+}
+
 template <class T>
 std::vector<T> File::read_dataset(const std::string& name) const {
   const Handle dataset = open_dataset(name);
@@ -149,6 +158,9 @@ template void File::write_dataset<double>(const std::string&, std::span<const do
 template void File::write_dataset<std::int64_t>(const std::string&, std::span<const std::int32_t>, hsize_t);
 template void File::write_dataset<std::int64_t>(const std::string&, std::span<const std::int64_t>, hsize_t);
 template void File::write_dataset<std::uint8_t>(const std::string&, std::span<const std::uint8_t>, hsize_t);
+template void File::make_dataset<double>(const std::string&, hsize_t);
+template void File::make_dataset<std::int64_t>(const std::string&, hsize_t);
+template void File::make_dataset<std::uint8_t>(const std::string&, hsize_t);
 template std::vector<double> File::read_dataset(const std::string&) const;
 template std::vector<std::uint8_t> File::read_dataset(const std::string&) const;
 template void File::make_growing<float>(const std::string&, hsize_t, hsize_t);
@@ -156,5 +168,6 @@ template void File::make_growing<double>(const std::string&, hsize_t, hsize_t);
 template void File::make_growing<std::int64_t>(const std::string&, hsize_t, hsize_t);
 template void File::write_rows(const std::string&, hsize_t, std::span<const double>);
 template void File::write_rows(const std::string&, hsize_t, std::span<const std::int64_t>);
+template void File::write_rows(const std::string&, hsize_t, std::span<const std::uint8_t>);
 
 }  // namespace physgen::h5

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "named_objects.h"
 #include "newton_runs.h"
 #include "printed_state.h"
 
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
     };
     for (int k = 1; k <= steps; ++k) step(k);
     print_state(ranks, *solver);
+    if (!ordinary) check_named(ranks, *solver, body.levels.front().mesh.tets.size());
     // Another goes on from what was handed out.
     const std::vector<Point> positions = solver->positions(), velocities = solver->velocities();
     solver = make();

@@ -30,6 +30,7 @@
 #include <string>
 #include <vector>
 
+#include "named_objects.h"
 #include "newton_runs.h"
 #include "printed_state.h"
 
@@ -147,6 +148,7 @@ int main(int argc, char** argv) {
                     result.energy, result.reaction);
       }
       print_state(ranks, *solver);
+      if (!ordinary && !tells) check_named(ranks, *solver, body.levels.front().mesh.tets.size());
       if (!is_restored || load == 1) continue;
       const SolverState state = solver->state();
       solver = make();

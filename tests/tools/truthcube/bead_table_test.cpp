@@ -1,4 +1,5 @@
 // Tables of measured beads: what is read, which line is named when it cannot be, and errors in millimetres.
+#include <fem/mesh/follow_numbers.h>
 #include <fem/mesh/truth_cube.h>
 #include <truthcube/output/bead_table.h>
 #include <truthcube/output/beads.h>
@@ -159,7 +160,8 @@ TEST_F(BeadTables, table_is_compared_at_its_own_rest_positions) {
   for (fem::Point& x : positions) x[2] *= 0.875;  // u = (0, 0, -z / 8)
   const BeadTable table = read(header_and("0.0123,0.0456,0.04,0,0,-0.005\n0.0791,0.001,0.08,0,0,-0.012\n"));
   const std::vector<fem::Location> locations = locate_beads(table, cube.rest, cube.mesh);
-  const auto computed = interpolate_displacements(locations, cube.mesh, cube.rest, positions);
+  const auto corners = fem::in_order(std::span<const fem::Point>(positions), corners_of(locations, cube.mesh));
+  const auto computed = interpolate_displacements(locations, cube.mesh, cube.rest, corners);
   const BeadErrors errors = errors_of(table, 0.125, computed);
   EXPECT_NEAR(errors.mean, 1, 1e-12);
   EXPECT_NEAR(errors.max, 2, 1e-12);

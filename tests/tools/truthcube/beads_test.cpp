@@ -1,4 +1,5 @@
 // Beads of the Truth Cube in a mesh, and beads.csv.
+#include <fem/mesh/follow_numbers.h>
 #include <fem/mesh/truth_cube.h>
 #include <truthcube/output/beads.h>
 
@@ -63,7 +64,8 @@ TEST_F(Beads, follow_an_affine_deformation) {
     std::ranges::transform(cube.rest, positions.begin(), deform);
     const std::vector<fem::Point> beads = bead_positions();
     const std::vector<fem::Location> locations = fem::locate(cube.rest, cube.mesh, beads);
-    const std::vector<fem::Point> u = interpolate_displacements(locations, cube.mesh, cube.rest, positions);
+    const auto corners = fem::in_order(std::span<const fem::Point>(positions), corners_of(locations, cube.mesh));
+    const std::vector<fem::Point> u = interpolate_displacements(locations, cube.mesh, cube.rest, corners);
     ASSERT_EQ(u.size(), bead_count);
     for (std::size_t b = 0; b < bead_count; ++b) {
       for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(u[b][k], deform(beads[b])[k] - beads[b][k], 1e-16);
@@ -71,11 +73,14 @@ TEST_F(Beads, follow_an_affine_deformation) {
   }
 }
 
-TEST_F(Beads, need_a_position_for_each_node) {
+TEST_F(Beads, need_a_position_for_each_corner) {
   const fem::TruthCube cube = fem::make_truth_cube(1, 1);
   const std::span<const fem::Point> rest = cube.rest;
-  expect_error([&] { static_cast<void>(interpolate_displacements({}, cube.mesh, rest, rest.first(7))); }, "7 positions",
-               "8 nodes");
+  const std::vector<fem::Location> two(2);
+  expect_error([&] { static_cast<void>(interpolate_displacements(two, cube.mesh, rest, rest.first(7))); },
+               "7 positions", "8 corners");
+  expect_error([&] { static_cast<void>(interpolate_displacements(two, cube.mesh, rest.first(7), rest)); },
+               "7 rest positions", "8 nodes");
 }
 
 TEST_F(Beads, file_has_a_row_for_each_bead_and_step_with_all_digits) {

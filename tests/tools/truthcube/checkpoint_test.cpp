@@ -1,6 +1,5 @@
 // Checkpoints: every bit comes back, and a file that does not fit the run is refused with the reason.
 #include <truthcube/output/checkpoint.h>
-#include <truthcube/output/hash.h>
 
 #include <algorithm>
 #include <bit>
@@ -45,6 +44,18 @@ void expect_same(const Checkpoint& a, const Checkpoint& b) {
   EXPECT_EQ(bits_of(a.pressures), bits_of(b.pressures));
 }
 
+/// Some coordinates at a time, whose memory has others afterwards.
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c, std::size_t at_once = 2) {
+  truthcube::write_checkpoint(path, c, c.positions.size(), [&](const TakePositions& take) {
+    for (std::size_t first = 0; first < c.positions.size(); first += at_once) {
+      const auto part = std::span(c.positions).subspan(first, std::min(at_once, c.positions.size() - first));
+      std::vector<double> window(part.begin(), part.end());
+      take(window);
+      std::ranges::fill(window, Limits::signaling_NaN());
+    }
+  });
+}
+
 class Checkpoints : public testing::Scratch {
  public:
   [[nodiscard]] Checkpoint read() const { return read_checkpoint(path, settings, hash); }
@@ -58,6 +69,28 @@ class Checkpoints : public testing::Scratch {
 TEST_F(Checkpoints, come_back_bit_for_bit) {
   write_checkpoint(path, checkpoint_of(3));
   expect_same(read(), checkpoint_of(3));
+}
+
+TEST_F(Checkpoints, have_the_same_bytes_whatever_comes_at_once) {
+  write_checkpoint(path, checkpoint_of(3), 100);
+  const std::string wanted = testing::read_text(path);
+  for (const std::size_t at_once : {1, 2, 4, 5}) {
+    write_checkpoint(path, checkpoint_of(3), at_once);
+    EXPECT_TRUE(testing::read_text(path) == wanted) << at_once;
+  }
+}
+
+TEST_F(Checkpoints, take_as_many_coordinates_as_were_said) {
+  write_checkpoint(path, checkpoint_of(1));
+  const std::vector<double> three(3);
+  for (const auto& [count, what] : {std::pair{2, "more coordinates"}, std::pair{4, "fewer coordinates"}}) {
+    expect_error(
+        [&, count = static_cast<std::uint64_t>(count)] {
+          truthcube::write_checkpoint(path, checkpoint_of(2), count, [&](const TakePositions& take) { take(three); });
+        },
+        path.string(), what);
+  }
+  expect_same(read(), checkpoint_of(1));
 }
 
 TEST_F(Checkpoints, need_no_pressures) {
@@ -237,32 +270,6 @@ TEST_F(Checkpoints, on_a_full_disk_leave_the_old_one) {
 TEST_F(Checkpoints, in_a_folder_that_cannot_be_written_are_an_error) {
   const testing::ReadOnly read_only(path.parent_path());
   expect_error([&] { write_checkpoint(path, checkpoint_of(1)); }, path.string(), "Permission denied");
-}
-
-TEST(MeshHash, tells_meshes_apart) {
-  const fem::TetMesh mesh = fem::make_box_mesh(2, 2, 2);
-  std::vector<fem::Point> rest(static_cast<std::size_t>(mesh.nodes));
-  for (std::size_t n = 0; n < rest.size(); ++n) rest[n] = {0.1 * static_cast<double>(n), 0, 1};
-  const std::uint64_t original = mesh_hash(rest, mesh.tets);
-  EXPECT_EQ(mesh_hash(std::vector(rest), std::vector(mesh.tets)), original);
-  std::vector<std::uint64_t> hashes{original, mesh_hash(rest, {}), mesh_hash({}, mesh.tets), mesh_hash({}, {})};
-  for (std::size_t n = 0; n < rest.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<fem::Point> moved = rest;
-      moved[n][k] = std::nextafter(moved[n][k], 10);
-      hashes.push_back(mesh_hash(moved, mesh.tets));
-    }
-  }
-  for (std::size_t t = 0; t + 1 < mesh.tets.size(); ++t) {
-    auto tets = mesh.tets;
-    std::swap(tets[t], tets[t + 1]);
-    hashes.push_back(mesh_hash(rest, tets));
-    tets = mesh.tets;
-    std::swap(tets[t][0], tets[t][1]);
-    hashes.push_back(mesh_hash(rest, tets));
-  }
-  std::ranges::sort(hashes);
-  EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end());
 }
 
 }  // namespace

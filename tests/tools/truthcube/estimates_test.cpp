@@ -1,10 +1,13 @@
 // Estimates of what a finer mesh would give, on results whose error is known.
+#include <fem/mesh/follow_numbers.h>
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <gtest/gtest.h>
 #include <truthcube/estimates.h>
 #include <truthcube/plates.h>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace physgen::truthcube {
 namespace {
@@ -28,12 +31,34 @@ std::vector<std::vector<fem::Index>> upper_of(std::span<const fem::MeshLevel> le
   return hold_between_plates(levels, default_plate_tolerance).upper.nodes;
 }
 
+/// The reaction of forces on a level's nodes.
+double reaction_of(const std::vector<fem::Index>& upper, const fem::NodeState& on_level,
+                   const std::vector<fem::PlaneContact>& planes = {}) {
+  return plate_reaction(fem::in_order(std::span<const Point>(on_level.forces), upper), planes);
+}
+
+/// By windows of all nodes, and of one.
+Estimates estimates_of(std::span<const fem::MeshLevel> levels, double reaction, const fem::NodeState& fine,
+                       const fem::NodeState& coarse, double order = 1) {
+  WholeState state({.positions = [&] { return std::vector{fine.positions, coarse.positions}; },
+                    .forces = [] { return WholeState::Points(); },
+                    .stresses = [] { return std::vector<std::array<double, 9>>(); },
+                    .coarser = [&] { return std::optional(coarse); }});
+  const std::vector<fem::Index> upper = upper_of(levels)[1];
+  const Estimates estimates = make_estimates(levels, upper, reaction, state, order);
+  const Estimates again = make_estimates(levels, upper, reaction, state, order, 1);
+  EXPECT_EQ(estimates.reaction, again.reaction);
+  EXPECT_EQ(estimates.error_rms, again.error_rms);
+  EXPECT_EQ(estimates.error_max, again.error_max);
+  return estimates;
+}
+
 TEST(Estimates, are_exact_where_errors_fall_with_first_order) {
   const auto levels = fem::make_cube_levels(4, 1.0, false);
   const fem::NodeState fine = results(levels[0], 0.25), coarse = results(levels[1], 0.5);
-  const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, {});
+  const double reaction = reaction_of(upper_of(levels)[0], fine);
   EXPECT_NEAR(reaction, -3.25, 1e-14);
-  const Estimates estimates = make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse);
+  const Estimates estimates = estimates_of(levels, reaction, fine, coarse);
   EXPECT_NEAR(estimates.reaction, -3, 1e-13);
   EXPECT_NEAR(estimates.error_rms, 0.25 * 0.5, 1e-14);
   EXPECT_NEAR(estimates.error_max, 0.25 * 0.5, 1e-14);
@@ -44,8 +69,8 @@ TEST(Estimates, are_exact_where_errors_fall_with_a_given_order) {
   for (const double order : {1.0, 1.5, 2.0}) {
     const fem::NodeState fine = results(levels[0], std::pow(0.25, order)),
                          coarse = results(levels[1], std::pow(0.5, order));
-    const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, {});
-    const Estimates estimates = make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse, order);
+    const double reaction = reaction_of(upper_of(levels)[0], fine);
+    const Estimates estimates = estimates_of(levels, reaction, fine, coarse, order);
     EXPECT_NEAR(estimates.reaction, -3, 1e-13) << order;
     EXPECT_NEAR(estimates.error_rms, std::pow(0.25, order) * 0.5, 1e-14) << order;
     EXPECT_NEAR(estimates.error_max, std::pow(0.25, order) * 0.5, 1e-14) << order;
@@ -58,9 +83,9 @@ TEST(Estimates, of_the_reaction_contain_what_plates_push_sides_back_with) {
   fem::NodeState coarse = results(levels[1], 0.5);
   const std::vector<fem::PlaneContact> planes{{7, 0}, {0.125, 0}};
   coarse.planes = {{7, 0}, {0.25, 0}};
-  const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, planes);
+  const double reaction = reaction_of(upper_of(levels)[0], fine, planes);
   EXPECT_NEAR(reaction, -3.375, 1e-14);
-  EXPECT_NEAR(make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse).reaction, -3, 1e-13);
+  EXPECT_NEAR(estimates_of(levels, reaction, fine, coarse).reaction, -3, 1e-13);
 }
 
 TEST(Estimates, of_the_largest_error_are_not_of_the_mean) {
@@ -68,7 +93,7 @@ TEST(Estimates, of_the_largest_error_are_not_of_the_mean) {
   const fem::NodeState fine = results(levels[0], 0.25);
   fem::NodeState coarse = results(levels[1], 0.25);
   coarse.positions[13][1] += 0.2;  // one of 27 nodes
-  const Estimates estimates = make_estimates(levels, upper_of(levels)[1], 0, fine.positions, coarse);
+  const Estimates estimates = estimates_of(levels, 0, fine, coarse);
   EXPECT_NEAR(estimates.error_max, 0.2, 1e-14);
   EXPECT_NEAR(estimates.error_rms, 0.2 / std::sqrt(27.0), 1e-14);
 }

@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 #include <truthcube/arrays.h>
-#include <truthcube/fields.h>
+#include <truthcube/output/window.h>
 #include <truthcube/run_bytes.h>
+#include <truthcube/state_windows.h>
 
 #include <numeric>
 #include <string>
@@ -274,19 +275,19 @@ TEST(Sizes, of_lists_contain_the_meshes_of_all_levels) {
   EXPECT_GT(bytes_of_run(counts, {}).lists, meshes);
 }
 
-TEST(Sizes, of_results_are_those_of_the_vectors_that_hold_them) {
-  const auto levels = levels_of(4, VolumeTreatment::tets);
-  const fem::MeshLevel& finest = levels.front();
-  const std::vector<std::array<double, 9>> stresses(finest.mesh.tets.size(), {1, 0, 0, 0, 1, 0, 0, 0, 1});
-  const Fields fields = make_fields(finest.mesh, finest.rest, finest.rest, stresses, Strain::finite);
-  std::size_t numbers = 9 * stresses.size() + 6 * finest.rest.size();  // stresses, positions and forces
-  for (const std::vector<double>* field :
-       {&fields.displacement, &fields.pressure, &fields.stress, &fields.von_mises, &fields.volume_ratio}) {
-    numbers += field->capacity();
-  }
-  numbers += finest.rest.size();                                                    // volumes of pressures
-  for (const fem::MeshLevel& level : levels) numbers += 2 * 3 * level.rest.size();  // for a checkpoint
-  EXPECT_EQ(bytes_of_results(count_levels(levels)), static_cast<std::int64_t>(numbers * sizeof(double)));
+TEST(Sizes, of_windows_fit_the_bytes_of_a_window_and_a_small_mesh) {
+  const WindowSizes windows(window_bytes);
+  EXPECT_LE(windows.bytes(1'000'000'000, 1'000'000'000), window_bytes);
+  EXPECT_GT(windows.bytes(1'000'000'000, 1'000'000'000), window_bytes - 1000);
+  EXPECT_EQ(windows.bytes(windows.nodes() + 1, windows.tets() + 1), windows.bytes(windows.nodes(), windows.tets()));
+  EXPECT_LT(windows.bytes(windows.nodes() - 1, windows.tets()), windows.bytes(windows.nodes(), windows.tets()));
+  EXPECT_LT(windows.bytes(windows.nodes(), windows.tets() - 1), windows.bytes(windows.nodes(), windows.tets()));
+  // Of a tet: its number, four nodes that no other has, its stress, twice, six components, von Mises' stress and J.
+  constexpr std::size_t of_node = 2 * sizeof(fem::Point) + 2 * sizeof(fem::Index);
+  constexpr std::size_t of_tet = sizeof(fem::Index) + 4 * of_node + (2 * 9 + 8) * sizeof(double);
+  EXPECT_GE(windows.bytes(0, 1), of_tet);
+  // Of a node: its number, its position, twice, displacement and pressure, and a volume.
+  EXPECT_GE(windows.bytes(1, 0), sizeof(fem::Index) + 2 * sizeof(fem::Point) + (3 + 1 + 1) * sizeof(double));
 }
 
 }  // namespace

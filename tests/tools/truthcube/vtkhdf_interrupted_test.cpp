@@ -3,6 +3,7 @@
 #include <truthcube/output/vtkhdf.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "scratch.h"
 #include "vtkhdf_scene.h"
@@ -42,7 +43,9 @@ void expect_whole_xdmf(std::filesystem::path path) {
 }
 
 TEST_F(InterruptedVtkHdf, kill_or_failure_at_any_write_of_a_step_leaves_the_steps_before) {
-  for (const At what : {At::Kill, At::Failure, At::FailureToGrow}) {
+  for (const auto& [what, rows_at_once] :
+       {std::pair{At::Kill, 0}, std::pair{At::Failure, 0}, std::pair{At::FailureToGrow, 0}, std::pair{At::Kill, 5}}) {
+    scene.rows_at_once = static_cast<std::size_t>(rows_at_once);
     int writes = 0;
     for (bool interrupted = true; interrupted; ++writes) {
       SCOPED_TRACE("way " + std::to_string(static_cast<int>(what)) + " at write " + std::to_string(writes));

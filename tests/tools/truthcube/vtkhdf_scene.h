@@ -4,8 +4,13 @@
 #include <fem/mesh/mesh.h>
 #include <truthcube/output/vtkhdf.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "h5_read.h"
@@ -34,12 +39,37 @@ struct Scene {
   }
   [[nodiscard]] static double time(int step) { return 0.05 * (step + 1); }
 
+  /// How many rows come at once where the step does not come as a whole.
+  std::size_t rows_at_once = 0;
+
   void write_step(VtkHdfWriter& writer, int step) const {
     const auto displacement = values(step, 0, 3 * nodes()), pressure = values(step, 1, nodes());
     const auto stress = values(step, 2, 6 * tets()), volume = values(step, 3, tets());
     const std::array at_points{Field{"displacement", 3, displacement}, Field{"pressure", 1, pressure}};
     const std::array in_cells{Field{"stress", 6, stress}, Field{"J", 1, volume}};
-    writer.write_step(time(step), at_points, in_cells);
+    if (rows_at_once == 0) return writer.write_step(time(step), at_points, in_cells);
+    const auto kind = [](const Field& field) { return FieldKind{field.name, field.components}; };
+    const std::array of_points{kind(at_points[0]), kind(at_points[1])}, of_cells{kind(in_cells[0]), kind(in_cells[1])};
+    VtkHdfWriter::Step by_rows = writer.begin_step(time(step), of_points, of_cells);
+    each_rows(at_points, nodes(), [&](std::span<const Field> rows) { by_rows.add_points(rows); });
+    each_rows(in_cells, tets(), [&](std::span<const Field> rows) { by_rows.add_cells(rows); });
+    by_rows.end();
+  }
+  /// Calls add() with some rows at a time, whose memory has other numbers afterwards.
+  template <class Add>
+  void each_rows(std::span<const Field> fields, std::size_t count, const Add& add) const {
+    for (std::size_t first = 0; first < count; first += rows_at_once) {
+      std::vector<std::vector<double>> windows;
+      std::vector<Field> rows;
+      for (const Field& field : fields) {
+        const auto columns = static_cast<std::size_t>(field.components);
+        const auto part = field.values.subspan(columns * first, columns * std::min(rows_at_once, count - first));
+        windows.emplace_back(part.begin(), part.end());
+        rows.push_back({field.name, field.components, windows.back()});
+      }
+      add(std::span<const Field>(rows));
+      for (auto& window : windows) std::ranges::fill(window, std::numeric_limits<double>::quiet_NaN());
+    }
   }
 
   [[nodiscard]] VtkHdfWriter create(const std::filesystem::path& path, int steps) const {

@@ -54,6 +54,51 @@ TEST_F(VtkHdf, every_step_has_its_values_at_its_offsets) {
   }
 }
 
+TEST_F(VtkHdf, steps_that_come_by_rows_are_those_that_come_as_a_whole_byte_for_byte) {
+  static_cast<void>(scene.create(path, 3));
+  const std::string wanted = testing::read_text(path);
+  for (const std::size_t rows : {1, 5, 7, 100}) {
+    scene.rows_at_once = rows;
+    static_cast<void>(scene.create(path, 3));
+    EXPECT_TRUE(testing::read_text(path) == wanted) << rows << " rows at once";
+    VtkHdfWriter writer = scene.append_to(path, 2);
+    scene.write_step(writer, 2);
+    EXPECT_TRUE(testing::read_text(path) == wanted) << rows << " rows at once, continued";
+  }
+}
+
+TEST_F(VtkHdf, rows_that_are_missing_too_many_or_of_other_fields_are_refused) {
+  VtkHdfWriter writer = scene.create(path, 1);
+  const std::array of_points{FieldKind{"displacement", 3}, FieldKind{"pressure", 1}};
+  const std::array of_cells{FieldKind{"stress", 6}, FieldKind{"J", 1}};
+  const std::vector<double> values(6 * scene.tets());
+  const std::span<const double> all = values;
+  const auto points = [&](std::size_t rows) {
+    return std::array{Field{"displacement", 3, all.first(3 * rows)}, Field{"pressure", 1, all.first(rows)}};
+  };
+  const auto cells = [&](std::size_t rows) {
+    return std::array{Field{"J", 1, all.first(rows)}, Field{"stress", 6, all.first(6 * rows)}};
+  };
+  {
+    auto step = writer.begin_step(1, of_points, of_cells);
+    step.add_points(points(scene.nodes()));
+    step.add_cells(cells(scene.tets() - 1));
+    expect_error([&] { step.end(); }, path.string(), "a step ends with 11 of 12 rows of its CellData");
+  }
+  {
+    auto step = writer.begin_step(1, of_points, of_cells);
+    step.add_points(points(scene.nodes() - 1));
+    expect_error([&] { step.add_points(points(2)); }, "2 rows are added to PointData behind 11 of 12");
+    expect_error([&] { step.add_cells(points(1)); }, "rows of displacement(3) pressure(1) are added to a step of J(1)");
+    expect_error([&] { step.add_cells(std::array{Field{"J", 1, all.first(1)}, Field{"stress", 6, all.first(7)}}); },
+                 "\"stress\" has 7 values; there must be 6 for each of 1");
+  }
+  EXPECT_EQ(writer.steps(), 1);
+  scene.expect_steps(path, 1);
+  scene.write_step(writer, 1);
+  scene.expect_only_steps(path, 2);
+}
+
 TEST_F(VtkHdf, file_is_closed_between_steps) {
   VtkHdfWriter writer = scene.create(path, 1);
   EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);

@@ -4,6 +4,7 @@
 #include <fem/dynamics/explicit_solver_of.h>
 #include <fem/solver/elastic/rest_shapes.h>
 #include <fem/solver/levels/listed_mesh.h>
+#include <fem/solver/solvers/named_of_ranks.h>
 #include <fem/solver/solvers/numbers_of_ranks.h>
 #include <physgen/distributed/executor.h>
 #include <physgen/error.h>
@@ -154,8 +155,7 @@ class ExplicitOnRanks final : public MotionOnRanks {
                          [](auto& node, int k) -> auto& { return node.v[k]; });
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    steps_->forces(on_, part_.body);
-    const auto force = [](const auto& node, int k) -> double { return node.f()[k]; };
+    compute_forces(0);
     std::vector<Point> f = of_all_ranks<3>(part_.arrays, part_.body.forces, force);
     const std::vector<Point> loads = of_all_ranks<3>(part_.arrays, part_.body.loads.contents(), force);
     for (std::size_t n = 0; n < f.size(); ++n) {
@@ -164,9 +164,8 @@ class ExplicitOnRanks final : public MotionOnRanks {
     return f;
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    steps_->stresses(on_, part_.body, part_.stresses_of_tets);
-    return of_all_ranks<9>(part_.arrays, part_.stresses_of_tets,
-                           [](const auto& tet, int k) -> double { return tet.P()[k]; });
+    compute_stresses();
+    return of_all_ranks<9>(part_.arrays, part_.stresses_of_tets, stress);
   }
   [[nodiscard]] MotionMeasure measure() override {
     steps_->measure(on_, part_.body);
@@ -174,6 +173,28 @@ class ExplicitOnRanks final : public MotionOnRanks {
     return {found.kinetic, found.elastic, {found.momentum[0], found.momentum[1], found.momentum[2]}};
   }
   [[nodiscard]] index_t bytes() const override { return part_.body.bytes() + part_.stresses_of_tets.bytes(); }
+
+  [[nodiscard]] std::vector<Index> nodes_of_levels() const override { return {static_cast<Index>(nodes_)}; }
+  [[nodiscard]] std::vector<Point> positions_of(std::size_t /*level*/, std::span<const Index> nodes) const override {
+    std::vector<Point> x = named_of_ranks<3>(part_.arrays, part_.body.displacements, nodes, displacement);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) x[i][k] += rest_[at(nodes[i])][k];
+    }
+    return x;
+  }
+  [[nodiscard]] std::vector<Point> forces_of(std::size_t /*level*/, std::span<const Index> nodes) const override {
+    std::vector<Point> f = named_of_ranks<3>(part_.arrays, part_.body.forces, nodes, force);
+    const std::vector<Point> loads = named_of_ranks<3>(part_.arrays, part_.body.loads.contents(), nodes, force);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) f[i][k] += load_ * loads[i][k];
+    }
+    return f;
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_of(std::span<const Index> tets) const override {
+    return named_of_ranks<9>(part_.arrays, part_.stresses_of_tets, tets, stress);
+  }
+  void compute_forces(std::size_t /*level*/) override { steps_->forces(on_, part_.body); }
+  void compute_stresses() override { steps_->stresses(on_, part_.body, part_.stresses_of_tets); }
 
   [[nodiscard]] PartOfMesh part() const override {
     return part_of(part_.arrays.objects_of(part_.body.velocities), part_.arrays.objects_of(part_.stresses_of_tets));
@@ -196,6 +217,10 @@ class ExplicitOnRanks final : public MotionOnRanks {
   }
 
  private:
+  static constexpr auto displacement = [](const auto& node, int k) -> double { return node.dx()[k]; };
+  static constexpr auto force = [](const auto& node, int k) -> double { return node.f()[k]; };
+  static constexpr auto stress = [](const auto& tet, int k) -> double { return tet.P()[k]; };
+
   static constexpr double a_moment = 1e-9;  // [s]
   DynamicSettings settings_;
   std::size_t nodes_;
@@ -206,8 +231,7 @@ class ExplicitOnRanks final : public MotionOnRanks {
   double time_ = 0, load_ = 0;
 
   [[nodiscard]] std::vector<Point> displacements() const {
-    return of_all_ranks<3>(part_.arrays, part_.body.displacements,
-                           [](const auto& node, int k) -> double { return node.dx()[k]; });
+    return of_all_ranks<3>(part_.arrays, part_.body.displacements, displacement);
   }
   void move_to(const std::vector<Point>& u) {
     const auto component = [](auto& node, int k) -> auto& { return node.dx[k]; };

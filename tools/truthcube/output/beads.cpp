@@ -47,21 +47,29 @@ std::vector<fem::Point> bead_positions() {
   return beads;
 }
 
+std::vector<fem::Index> corners_of(std::span<const fem::Location> locations, const fem::TetMesh& mesh) {
+  std::vector<fem::Index> corners;
+  for (const fem::Location& location : locations) {
+    const auto& tet = mesh.tets[static_cast<std::size_t>(location.tet)];
+    corners.insert(corners.end(), tet.begin(), tet.end());
+  }
+  return corners;
+}
+
 std::vector<fem::Point> interpolate_displacements(std::span<const fem::Location> locations, const fem::TetMesh& mesh,
                                                   std::span<const fem::Point> rest,
-                                                  std::span<const fem::Point> positions) {
-  const auto nodes = static_cast<std::size_t>(mesh.nodes);
-  if (rest.size() != nodes || positions.size() != nodes) {
-    throw Error("beads: " + std::to_string(rest.size()) + " rest positions and " + std::to_string(positions.size()) +
-                " positions for " + std::to_string(nodes) + " nodes");
+                                                  std::span<const fem::Point> corners) {
+  const std::vector<fem::Index> nodes = corners_of(locations, mesh);
+  if (rest.size() != static_cast<std::size_t>(mesh.nodes) || corners.size() != nodes.size()) {
+    throw Error("beads: " + std::to_string(rest.size()) + " rest positions for " + std::to_string(mesh.nodes) +
+                " nodes, and " + std::to_string(corners.size()) + " positions for " + std::to_string(nodes.size()) +
+                " corners");
   }
   std::vector<fem::Point> displacements(locations.size(), fem::Point{});
-  for (std::size_t b = 0; b < locations.size(); ++b) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto node = static_cast<std::size_t>(mesh.tets[static_cast<std::size_t>(locations[b].tet)][c]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        displacements[b][k] += locations[b].weights[c] * (positions[node][k] - rest[node][k]);
-      }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const fem::Point& at_rest = rest[static_cast<std::size_t>(nodes[i])];
+    for (std::size_t k = 0; k < 3; ++k) {
+      displacements[i / 4][k] += locations[i / 4].weights[i % 4] * (corners[i][k] - at_rest[k]);
     }
   }
   return displacements;

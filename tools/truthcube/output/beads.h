@@ -16,13 +16,16 @@ inline constexpr std::size_t bead_count = 343;
 /// Rest positions (i, j, k) * 0.01 m for i, j, k = 1 .. 7, i outermost.
 [[nodiscard]] std::vector<fem::Point> bead_positions();
 
+/// The corners of the tets in which points are located, four for each.
+[[nodiscard]] std::vector<fem::Index> corners_of(std::span<const fem::Location> locations, const fem::TetMesh& mesh);
+
 /// Displacements [m] of located points: those of the nodes, interpolated linearly.
-/// @param rest, positions of the mesh's nodes [m], at rest and deformed
-/// @throws Error when either has not one position per node
+/// @param rest of the mesh's nodes [m] @param corners where corners_of() these points are, deformed [m]
+/// @throws Error when there is not one rest position per node, or not one position per corner
 [[nodiscard]] std::vector<fem::Point> interpolate_displacements(std::span<const fem::Location> locations,
                                                                 const fem::TetMesh& mesh,
                                                                 std::span<const fem::Point> rest,
-                                                                std::span<const fem::Point> positions);
+                                                                std::span<const fem::Point> corners);
 
 /// beads.csv: a header `compression,x,y,z,ux,uy,uz`, then 343 rows a step: rest positions and displacements in metres,
 /// 17 significant digits, which give the same numbers when read.

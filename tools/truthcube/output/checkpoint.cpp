@@ -21,20 +21,34 @@ constexpr std::int32_t current_version = 1;
 constexpr const char* format = "physgen truthcube checkpoint";
 constexpr std::uint64_t room_for_attributes = std::uint64_t{1} << 16U;
 
-std::uint64_t checksum(const Checkpoint& c) {
-  Hash hash;
-  hash.add(std::as_bytes(std::span(c.settings)));
-  hash.add(c.mesh_hash);
-  hash.add(static_cast<std::uint64_t>(c.step));
-  hash.add(std::bit_cast<std::uint64_t>(c.compression));
-  hash.add(std::as_bytes(std::span(c.positions)));
-  hash.add(std::as_bytes(std::span(c.pressures)));
-  if (c.order != OrderMark{}) {  // which older files do not have
-    hash.add(std::as_bytes(std::span(c.order.name)));
-    hash.add(c.order.digest);
+/// The checksum of a checkpoint, whose positions are added in order.
+class Checksum {
+ public:
+  Checksum(const Checkpoint& head, std::uint64_t positions) : head_(head) {
+    hash_.add(std::as_bytes(std::span(head.settings)));
+    hash_.add(head.mesh_hash);
+    hash_.add(static_cast<std::uint64_t>(head.step));
+    hash_.add(std::bit_cast<std::uint64_t>(head.compression));
+    hash_.add(positions * sizeof(double));
   }
-  return hash.value();
-}
+  void add(std::span<const double> positions) {
+    for (const double x : positions) hash_.add(std::bit_cast<std::uint64_t>(x));
+  }
+  /// @pre all positions are added
+  [[nodiscard]] std::uint64_t value() const {
+    Hash hash = hash_;
+    hash.add(std::as_bytes(std::span(head_.pressures)));
+    if (head_.order != OrderMark{}) {  // which older files do not have
+      hash.add(std::as_bytes(std::span(head_.order.name)));
+      hash.add(head_.order.digest);
+    }
+    return hash.value();
+  }
+
+ private:
+  const Checkpoint& head_;
+  Hash hash_;
+};
 
 Json parse_settings(const std::string& text, const std::string& where) {
   Json settings = Json::parse(text, nullptr, false);
@@ -98,7 +112,9 @@ Checkpoint read_all(const std::filesystem::path& path) {
     c.positions = file.read_dataset<double>("/positions");
     c.pressures = file.read_dataset<double>("/pressures");
     c.order = order_in(file);
-    if (checksum(c) != file.read_attribute<std::uint64_t>("/", "checksum")) {
+    Checksum checksum(c, c.positions.size());
+    checksum.add(c.positions);
+    if (checksum.value() != file.read_attribute<std::uint64_t>("/", "checksum")) {
       throw Unusable(name + ": is damaged: its checksum is not that of its contents");
     }
     return c;
@@ -111,10 +127,11 @@ Checkpoint read_all(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c) {
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c, std::uint64_t count,
+                      const std::function<void(const TakePositions&)>& give) {
   static_cast<void>(parse_settings(c.settings, path.string()));
-  disk::replace_file(path, [&c](const std::filesystem::path& written) {
-    const std::uint64_t bytes = (c.positions.size() + c.pressures.size()) * sizeof(double) + c.settings.size();
+  disk::replace_file(path, [&](const std::filesystem::path& written) {
+    const std::uint64_t bytes = (count + c.pressures.size()) * sizeof(double) + c.settings.size();
     h5::File file = h5::File::create(written, bytes + room_for_attributes);
     file.write_attribute("/", "format", std::string(format));
     file.write_attribute("/", "version", one(current_version));
@@ -123,11 +140,20 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c) {
     file.write_attribute("/", "mesh_hash", one(c.mesh_hash));
     file.write_attribute("/", "step", one<std::int32_t>(c.step));
     file.write_attribute("/", "compression", one(c.compression));
-    file.write_dataset<double>("/positions", std::span<const double>(c.positions));
+    file.make_dataset<double>("/positions", count);
+    Checksum checksum(c, count);
+    std::uint64_t done = 0;
+    give([&](std::span<const double> positions) {
+      if (positions.size() > count - done) throw Error(path.string() + ": more coordinates come than it has");
+      file.write_rows("/positions", done, positions);
+      checksum.add(positions);
+      done += positions.size();
+    });
+    if (done < count) throw Error(path.string() + ": fewer coordinates come than it has");
     file.write_dataset<double>("/pressures", std::span<const double>(c.pressures));
     file.write_attribute("/", "order", c.order.name);
     file.write_attribute("/", "order_digest", one(c.order.digest));
-    file.write_attribute("/", "checksum", one(checksum(c)));
+    file.write_attribute("/", "checksum", one(checksum.value()));
     file.close();
   });
 }

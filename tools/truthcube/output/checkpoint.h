@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,16 @@ struct Checkpoint {
   OrderMark order{};              ///< of the nodes
 };
 
+/// Takes the next coordinates of a checkpoint [m].
+using TakePositions = std::function<void(std::span<const double>)>;
+
 /// Writes a checkpoint in the place of an old one, which stays until the new one is complete on the disk.
-/// @throws Error when the settings are not a JSON object, the disk is too full (the bytes needed and free are said), or
-/// writing fails; an old checkpoint is then as it was
-void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+/// @param head all but its positions @param count of coordinates
+/// @param give give(take) calls take() with all coordinates in order, as many at a time as it likes
+/// @throws Error when the settings are not a JSON object, there are more or fewer coordinates, the disk is too full
+/// (the bytes needed and free are said), or writing fails; an old checkpoint is then as it was
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& head, std::uint64_t count,
+                      const std::function<void(const TakePositions&)>& give);
 
 /// Reads a checkpoint for a run of these settings over this mesh in this order. Every double has the bits that were
 /// written.

@@ -1,56 +1,37 @@
-// A step counts once Steps/NSteps and Steps/Values have it. Datasets may be longer than that: the next step overwrites
-// the rest. Nothing is ever taken out of a file, since HDF5 cuts a file off before it notes the new end. Viewers read
-// all of Steps/Values into memory for NSteps times, so Values grows last: it is never longer than that.
+// The file with its mesh, and what it goes on from; vtkhdf_step.cpp writes steps.
 #include <files/disk.h>
 #include <hdf5/h5.h>
 #include <physgen/error.h>
 #include <truthcube/output/vtkhdf.h>
+#include <truthcube/output/vtkhdf_names.h>
 #include <truthcube/output/xdmf.h>
 
 #include <algorithm>
-#include <functional>
-#include <limits>
-#include <string_view>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace physgen::truthcube {
+
+using vtkhdf::data_group, vtkhdf::in, vtkhdf::require_usable_name, vtkhdf::room_for_array, vtkhdf::room_for_groups,
+    vtkhdf::root, vtkhdf::steps_group;
 
 namespace {
 
 using h5::one;
 
-constexpr const char* root = "/VTKHDF";
-constexpr const char* steps_group = "/VTKHDF/Steps";
-constexpr const char* first_steps_group =
-    "/Steps of the first step";  // moved to steps_group when the first step is done
-constexpr std::array step_offsets{"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"};
 constexpr std::uint8_t vtk_tetra = 10, vtk_triangle = 5;
-constexpr hsize_t steps_per_chunk = 512;
-constexpr std::uint64_t room_for_groups = std::uint64_t{1} << 19U;  // groups, attributes, indices, values per step
-constexpr std::uint64_t room_for_array = std::uint64_t{1} << 16U;   // the same for one field
+constexpr std::size_t rows_at_once = std::size_t{1} << 14U;  // of what the mesh does not have as it is stored
 
-// The name of something in a group.
-std::string in(std::string group, std::string_view name) {
-  group += '/';
-  group += name;
-  return group;
-}
-
-std::string data_group(const std::string& what) { return in(root, what + "Data"); }
-std::string offsets_group(const std::string& steps, const std::string& what) { return in(steps, what + "DataOffsets"); }
-
-// One chunk per step where HDF5 can: a chunk has less than 4 GiB.
-hsize_t chunk_rows(std::uint64_t rows, int components) {
-  const std::uint64_t most =
-      std::numeric_limits<std::uint32_t>::max() / (sizeof(float) * static_cast<unsigned>(components));
-  return std::min(rows, most);
-}
-
-// A dataset of 1 component has 1 dimension.
-hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
-
-void require_usable(const std::string& name, const std::function<Error(const std::string&)>& error) {
-  if (name.empty() || name.find_first_of("/.|:") != std::string::npos) {  // | and : part what the XDMF file names
-    throw error("has no usable name: a name is not empty and has no '/', '.', '|' and ':'");
+/// Writes a new dataset of such rows, some at a time. @param value value(row)
+template <class T, class Value>
+void write_rows(h5::File& file, const std::string& name, std::size_t rows, const Value& value) {
+  file.make_dataset<T>(name, rows);
+  std::vector<T> values;
+  for (std::size_t first = 0; first < rows; first += rows_at_once) {
+    values.resize(std::min(rows_at_once, rows - first));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(first + i);
+    file.write_rows(name, first, std::span<const T>(values));
   }
 }
 
@@ -76,7 +57,7 @@ VtkHdfWriter::VtkHdfWriter(Unopened /*as it is*/, std::filesystem::path path, co
     const auto error = [&](const std::string& what) {
       return Error(path_.string() + ": the group \"" + group.name + "\" " + what);
     };
-    require_usable(group.name, error);
+    require_usable_name(group.name, error);
     if (group.is_in.size() != mesh.cells()) {
       throw error("says it of " + std::to_string(group.is_in.size()) + " cells, and there are " +
                   std::to_string(mesh.cells()));
@@ -107,11 +88,10 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, const ViewedMesh& mesh)
   file.write_dataset<double>(in(root, "Points"),
                              std::span<const double>(mesh.points.front().data(), 3 * mesh.points.size()), 3);
   file.write_dataset<std::int64_t>(in(root, "Connectivity"), mesh.corners);
-  std::vector<std::int64_t> first_corner(cells + 1);
-  for (std::size_t c = 0; c <= cells; ++c) first_corner[c] = static_cast<std::int64_t>(mesh.corners_of_cell * c);
-  file.write_dataset<std::int64_t>(in(root, "Offsets"), std::span<const std::int64_t>(first_corner));
-  const std::vector<std::uint8_t> types(cells, mesh.corners_of_cell == 4 ? vtk_tetra : vtk_triangle);
-  file.write_dataset<std::uint8_t>(in(root, "Types"), std::span<const std::uint8_t>(types));
+  write_rows<std::int64_t>(file, in(root, "Offsets"), cells + 1,
+                           [&](std::size_t c) { return static_cast<std::int64_t>(mesh.corners_of_cell * c); });
+  write_rows<std::uint8_t>(file, in(root, "Types"), cells,
+                           [&](std::size_t /*cell*/) { return mesh.corners_of_cell == 4 ? vtk_tetra : vtk_triangle; });
   if (!mesh.groups.empty()) file.make_group(data_group("Cell"));
   for (const CellGroup& group : mesh.groups) {
     file.write_dataset<std::uint8_t>(in(data_group("Cell"), group.name), std::span<const std::uint8_t>(group.is_in));
@@ -121,8 +101,8 @@ VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, const ViewedMesh& mesh)
   std::filesystem::remove(xdmf_of(path_), is_none);  // of another run: its steps are gone
 }
 
-std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
-  std::vector<Arrays::Kind> kinds;
+std::vector<FieldKind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
+  std::vector<FieldKind> kinds;
   for (const std::string& name : file.names_in(data_group(arrays.what))) {
     if (std::ranges::find(arrays.groups, name) != arrays.groups.end()) continue;
     const std::vector<hsize_t> shape = file.shape(in(data_group(arrays.what), name));
@@ -163,65 +143,25 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, const ViewedMes
 
 void VtkHdfWriter::copy_steps(const h5::File& file, VtkHdfWriter to, int steps) {
   for (int s = 0; s < steps; ++s) {
-    const auto step = static_cast<hsize_t>(s);
-    std::vector<std::vector<double>> values;
-    const auto fields_of = [&](const Arrays& arrays) {
-      std::vector<Field> fields;
-      for (const auto& [name, components] : kinds_in(file, arrays)) {
-        values.push_back(file.read_rows(in(data_group(arrays.what), name), step * arrays.rows, arrays.rows));
-        fields.push_back({name, components, values.back()});
+    const auto number = static_cast<std::uint64_t>(s);
+    const double time = file.read_rows(in(steps_group, "Values"), number, 1).front();
+    Step step = to.begin_step(time, kinds_in(file, to.points_), kinds_in(file, to.cells_));
+    const auto copy_rows = [&](const Arrays& arrays, auto add) {
+      for (std::uint64_t first = 0; first < arrays.rows && !arrays.kinds.empty(); first += rows_at_once) {
+        const std::uint64_t rows = std::min<std::uint64_t>(rows_at_once, arrays.rows - first);
+        std::vector<std::vector<double>> values;
+        std::vector<Field> fields;
+        for (const auto& [name, components] : arrays.kinds) {
+          values.push_back(file.read_rows(in(data_group(arrays.what), name), number * arrays.rows + first, rows));
+          fields.push_back({name, components, values.back()});
+        }
+        (step.*add)(fields);
       }
-      return fields;
     };
-    const double time = file.read_rows(in(steps_group, "Values"), step, 1).front();
-    const std::vector<Field> points = fields_of(to.points_);
-    to.append_step(time, points, fields_of(to.cells_));
+    copy_rows(to.points_, &Step::add_points);
+    copy_rows(to.cells_, &Step::add_cells);
+    step.end_without_xdmf();
   }
-}
-
-std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::checked_kinds(const Arrays& arrays,
-                                                                    std::span<const Field> fields) const {
-  const auto error = [&](const Field& field, const std::string& what) {
-    return Error(path_.string() + ": " + arrays.what + "Data \"" + field.name + "\" " + what);
-  };
-  std::vector<Arrays::Kind> kinds;
-  for (const Field& field : fields) {
-    require_usable(field.name, [&](const std::string& what) { return error(field, what); });
-    if (std::ranges::find(arrays.groups, field.name) != arrays.groups.end()) {
-      throw error(field, "has the name of a group; give it another");
-    }
-    if (field.components < 1) throw error(field, "has " + std::to_string(field.components) + " components");
-    const std::uint64_t expected = arrays.rows * static_cast<unsigned>(field.components);
-    if (field.values.size() != expected) {
-      throw error(field, "has " + std::to_string(field.values.size()) + " values; there must be " +
-                             std::to_string(field.components) + " for each of " + std::to_string(arrays.rows));
-    }
-    kinds.push_back({field.name, field.components});
-  }
-  std::ranges::sort(kinds);
-  for (std::size_t i = 1; i < kinds.size(); ++i) {
-    if (kinds[i].name == kinds[i - 1].name) throw Error(path_.string() + ": two fields have the name " + kinds[i].name);
-  }
-  if (steps() > 0 && kinds != arrays.kinds) {
-    const auto list = [](const std::vector<Arrays::Kind>& all) {
-      std::string text;
-      for (const Arrays::Kind& kind : all) text += " " + kind.name + "(" + std::to_string(kind.components) + ")";
-      return text.empty() ? " none" : text;
-    };
-    throw Error(path_.string() + ": step " + std::to_string(steps() + 1) + " has other " + arrays.what +
-                "Data than those before:" + list(kinds) + " instead of" + list(arrays.kinds));
-  }
-  return kinds;
-}
-
-std::uint64_t VtkHdfWriter::bytes_of_step() const {
-  std::uint64_t bytes = room_for_groups;
-  for (const Arrays* arrays : {&points_, &cells_}) {
-    for (const Arrays::Kind& kind : arrays->kinds) {
-      bytes += room_for_array + arrays->rows * static_cast<unsigned>(kind.components) * sizeof(float);
-    }
-  }
-  return bytes;
 }
 
 void VtkHdfWriter::write_xdmf() const {
@@ -231,68 +171,6 @@ void VtkHdfWriter::write_xdmf() const {
   }
   disk::write_text(xdmf_of(path_),
                    xdmf_text(path_, {points_.rows, cells_.rows, corners_of_cell_, cells_.groups}, all, times_));
-}
-
-void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
-  append_step(time, point_fields, cell_fields);
-  write_xdmf();
-}
-
-void VtkHdfWriter::append_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
-  std::vector<Arrays::Kind> point_kinds = checked_kinds(points_, point_fields);
-  cells_.kinds = checked_kinds(cells_, cell_fields);
-  points_.kinds = std::move(point_kinds);
-  disk::reserve_space(path_, bytes_of_step());
-  h5::File file = h5::File::open(path_, true);
-
-  const bool first = steps() == 0;
-  const std::string group = first ? first_steps_group : steps_group;
-  if (first) {
-    for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) {
-      if (!file.has(name)) file.make_group(name);
-    }
-    file.make_growing<double>(in(group, "Values"), steps_per_chunk);
-    file.make_growing<std::int64_t>(in(group, "NumberOfParts"), steps_per_chunk);
-    for (const std::string offsets : step_offsets) {
-      const bool per_topology = offsets == "CellOffsets" || offsets == "ConnectivityIdOffsets";
-      file.make_growing<std::int64_t>(in(group, offsets), steps_per_chunk, per_topology ? 1 : 0);
-    }
-    for (const Arrays* arrays : {&points_, &cells_}) {
-      file.make_group(offsets_group(group, arrays->what));
-      for (const auto& [name, components] : arrays->kinds) {
-        file.make_growing<float>(in(data_group(arrays->what), name), chunk_rows(arrays->rows, components),
-                                 columns(components));
-        file.make_growing<std::int64_t>(in(offsets_group(group, arrays->what), name), steps_per_chunk);
-      }
-      for (const std::string& name : arrays->groups) {
-        file.make_growing<std::int64_t>(in(offsets_group(group, arrays->what), name), steps_per_chunk);
-      }
-    }
-  }
-
-  const auto step = static_cast<hsize_t>(steps());
-  const auto write_fields = [&](const Arrays& arrays, std::span<const Field> fields) {
-    const auto offset = static_cast<std::int64_t>(step * arrays.rows);
-    for (const Field& field : fields) {
-      file.write_rows(in(data_group(arrays.what), field.name), step * arrays.rows, field.values);
-      file.write_rows(in(offsets_group(group, arrays.what), field.name), step, one(offset));
-    }
-    for (const std::string& name : arrays.groups) {
-      file.write_rows(in(offsets_group(group, arrays.what), name), step, one<std::int64_t>(0));
-    }
-  };
-  write_fields(points_, point_fields);
-  write_fields(cells_, cell_fields);
-  for (const char* offsets : step_offsets) file.write_rows(in(group, offsets), step, one<std::int64_t>(0));
-  file.write_rows(in(group, "NumberOfParts"), step, one<std::int64_t>(1));
-  file.flush();
-
-  file.write_attribute(group, "NSteps", one<std::int32_t>(steps() + 1));
-  file.flush();
-  file.write_rows(in(group, "Values"), step, one(time));
-  if (first) file.rename(first_steps_group, steps_group);
-  file.close();
-  times_.push_back(time);
 }
 
 }  // namespace physgen::truthcube

@@ -2,6 +2,7 @@
 #include <fem/solver/linear/performed_steps.h>
 #include <fem/solver/masses.h>
 #include <fem/solver/solvers/implicit_steps.h>
+#include <fem/solver/solvers/named_of_ranks.h>
 #include <fem/solver/solvers/part_of_rank.h>
 #include <fem/solver/solvers/solvers_on_ranks.h>
 #include <implicit_dynamics.halos.h>
@@ -106,8 +107,7 @@ class ImplicitOnRanks final : public MotionOnRanks, private MovingPart, private 
   NewtonResult step(double length, double load) override { return Steps::step(length, load); }
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] std::vector<Point> positions() const override {
-    return of_all_ranks<3>(arrays(), arrays_.front()->positions,
-                           [](const auto& node, int k) -> double { return node.x()[k]; });
+    return of_all_ranks<3>(arrays(), arrays_.front()->positions, position);
   }
   [[nodiscard]] std::vector<Point> velocities() const override {
     return of_all_ranks<3>(arrays(), linear_.front()->inertia->velocities,
@@ -126,17 +126,28 @@ class ImplicitOnRanks final : public MotionOnRanks, private MovingPart, private 
                          [](auto& node, int k) -> auto& { return node.v[k]; });
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)evaluate_now(0, load_);
-    return of_all_ranks<3>(arrays(), arrays_.front()->forces,
-                           [](const auto& node, int k) -> double { return node.f()[k]; });
+    compute_forces(0);
+    return of_all_ranks<3>(arrays(), arrays_.front()->forces, force);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    evaluate_stresses(load_, of_body.stresses_of_tets);
-    return of_all_ranks<9>(arrays(), of_body.stresses_of_tets,
-                           [](const auto& tet, int k) -> double { return tet.P()[k]; });
+    compute_stresses();
+    return of_all_ranks<9>(arrays(), of_body.stresses_of_tets, stress);
   }
   [[nodiscard]] MotionMeasure measure() override { return Steps::measure(); }
   [[nodiscard]] index_t bytes() const override { return Steps::bytes() + of_body.stresses_of_tets.bytes(); }
+
+  [[nodiscard]] std::vector<Index> nodes_of_levels() const override { return {static_cast<Index>(body_.nodes)}; }
+  [[nodiscard]] std::vector<Point> positions_of(std::size_t level, std::span<const Index> nodes) const override {
+    return named_of_ranks<3>(arrays(), arrays_.at(level)->positions, nodes, position);
+  }
+  [[nodiscard]] std::vector<Point> forces_of(std::size_t level, std::span<const Index> nodes) const override {
+    return named_of_ranks<3>(arrays(), arrays_.at(level)->forces, nodes, force);
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_of(std::span<const Index> tets) const override {
+    return named_of_ranks<9>(arrays(), of_body.stresses_of_tets, tets, stress);
+  }
+  void compute_forces(std::size_t level) override { (void)evaluate_now(level, load_); }
+  void compute_stresses() override { evaluate_stresses(load_, of_body.stresses_of_tets); }
 
   [[nodiscard]] PartOfMesh part() const override {
     return part_of(arrays().objects_of(arrays_.front()->positions), arrays().objects_of(of_body.stresses_of_tets));
@@ -151,6 +162,10 @@ class ImplicitOnRanks final : public MotionOnRanks, private MovingPart, private 
   }
 
  private:
+  static constexpr auto position = [](const auto& node, int k) -> double { return node.x()[k]; };
+  static constexpr auto force = [](const auto& node, int k) -> double { return node.f()[k]; };
+  static constexpr auto stress = [](const auto& tet, int k) -> double { return tet.P()[k]; };
+
   [[nodiscard]] DistributedArrays& arrays() const { return of_body.finest->arrays; }
   void require_of_first(const char* what, std::span<const Point> vectors) const {
     if (arrays().ranks().is_first()) require_vectors(what, vectors, body_.nodes);

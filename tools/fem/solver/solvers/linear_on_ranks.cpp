@@ -6,6 +6,7 @@
 #include <fem/solver/solvers/in_precision.h>
 #include <fem/solver/solvers/linear_solves.h>
 #include <fem/solver/solvers/linear_types.h>
+#include <fem/solver/solvers/named_of_ranks.h>
 #include <fem/solver/solvers/numbers_of_ranks.h>
 #include <fem/solver/solvers/part_of_equilibrium.h>
 #include <fem/solver/solvers/require.h>
@@ -166,20 +167,19 @@ class LinearOnRanks final : public SolverOnRanks, private PartOfLinear<Types>, p
   }
   [[nodiscard]] double load() const override { return load_; }
   [[nodiscard]] std::vector<Point> positions() const override {
-    std::vector<Point> x =
-        of_all_ranks<3>(arrays, body_.displacements, [](const auto& node, int k) -> double { return node.dx()[k]; });
+    std::vector<Point> x = of_all_ranks<3>(arrays, body_.displacements, displacement);
     for (std::size_t n = 0; n < x.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) x[n][k] += rest_[n][k];
     }
     return x;
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)Solves::evaluate(load_);
-    return of_all_ranks<3>(arrays, body_.forces, [](const auto& node, int k) -> double { return node.f()[k]; });
+    compute_forces(0);
+    return of_all_ranks<3>(arrays, body_.forces, force);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    compute_linear_stresses(*on_, body_, lame_, stresses_of_tets);
-    return of_all_ranks<9>(arrays, stresses_of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
+    compute_stresses();
+    return of_all_ranks<9>(arrays, stresses_of_tets, stress);
   }
   [[nodiscard]] index_t bytes() const override { return Solves::bytes() + stresses_of_tets.bytes(); }
 
@@ -197,6 +197,23 @@ class LinearOnRanks final : public SolverOnRanks, private PartOfLinear<Types>, p
     load_ = state.load;
   }
 
+  [[nodiscard]] std::vector<Index> nodes_of_levels() const override { return {static_cast<Index>(fixed_.size())}; }
+  [[nodiscard]] std::vector<Point> positions_of(std::size_t /*level*/, std::span<const Index> nodes) const override {
+    std::vector<Point> x = named_of_ranks<3>(arrays, body_.displacements, nodes, displacement);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) x[i][k] += rest_[static_cast<std::size_t>(nodes[i])][k];
+    }
+    return x;
+  }
+  [[nodiscard]] std::vector<Point> forces_of(std::size_t /*level*/, std::span<const Index> nodes) const override {
+    return named_of_ranks<3>(arrays, body_.forces, nodes, force);
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_of(std::span<const Index> tets) const override {
+    return named_of_ranks<9>(arrays, stresses_of_tets, tets, stress);
+  }
+  void compute_forces(std::size_t /*level*/) override { (void)Solves::evaluate(load_); }
+  void compute_stresses() override { compute_linear_stresses(*on_, body_, lame_, stresses_of_tets); }
+
   [[nodiscard]] PartOfMesh part() const override {
     return part_of(arrays.objects_of(body_.displacements), arrays.objects_of(stresses_of_tets));
   }
@@ -212,6 +229,10 @@ class LinearOnRanks final : public SolverOnRanks, private PartOfLinear<Types>, p
   }
 
  private:
+  static constexpr auto displacement = [](const auto& node, int k) -> double { return node.dx()[k]; };
+  static constexpr auto force = [](const auto& node, int k) -> double { return node.f()[k]; };
+  static constexpr auto stress = [](const auto& tet, int k) -> double { return tet.P()[k]; };
+
   std::vector<std::uint8_t> fixed_;  ///< of all nodes
   std::vector<Point> rest_;          ///< of all nodes, on the first rank
 };

@@ -1,6 +1,7 @@
 // The solver of equilibria on several ranks, over arrays in one space: see solver_on_ranks.h.
 #pragma once
 
+#include <fem/solver/solvers/named_of_ranks.h>
 #include <fem/solver/solvers/nested_newton.h>
 #include <fem/solver/solvers/numbers_of_ranks.h>
 #include <fem/solver/solvers/part_of_rank.h>
@@ -86,15 +87,20 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     reached_ = false;
   }
   [[nodiscard]] double load() const override { return load_; }
-  [[nodiscard]] std::vector<Point> positions() const override { return positions_of(0); }
-  [[nodiscard]] std::vector<Point> forces() override { return forces_of(0); }
+  [[nodiscard]] std::vector<Point> positions() const override { return all_positions(0); }
+  [[nodiscard]] std::vector<Point> forces() override {
+    compute_forces(0);
+    return all_forces(0);
+  }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
-    if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
-    return NodeState{positions_of(1), forces_of(1), plane_contacts_of(1)};
+    const auto contacts = coarser_contacts();
+    if (!contacts) return std::nullopt;
+    compute_forces(1);
+    return NodeState{all_positions(1), all_forces(1), *contacts};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    Nested::evaluate_stresses(load_, stresses_of_tets);
-    return of_all_ranks<9>(stresses_of_tets, [](const auto& tet, int k) -> double { return tet.P()[k]; });
+    compute_stresses();
+    return of_all_ranks<9>(stresses_of_tets, stress);
   }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
   [[nodiscard]] index_t bytes() const override {
@@ -109,14 +115,12 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     SolverState state;
     state.load = load_;
     state.is_equilibrium = reached_;
-    for (std::size_t l = 0; l < arrays_.size(); ++l) state.positions.push_back(positions_of(l));
+    for (std::size_t l = 0; l < arrays_.size(); ++l) state.positions.push_back(all_positions(l));
     return state;
   }
   void restore(const SolverState& state) override {
-    std::vector<std::size_t> counts;
-    for (const auto& a : arrays_)
-      counts.push_back(static_cast<std::size_t>(objects_of(a->rest.contents()).runs().size()));
-    if (is_first_) require_state(state, counts);
+    const std::vector<Index> nodes = nodes_of_levels();
+    if (is_first_) require_state(state, std::vector<std::size_t>(nodes.begin(), nodes.end()));
     for (std::size_t l = 0; l < arrays_.size(); ++l) {
       const auto positions = is_first_ ? std::span(state.positions[l]) : std::span<const Point>();
       for (auto* array : {&arrays_[l]->positions, &arrays_[l]->kept}) {
@@ -128,6 +132,27 @@ class QuasistaticOnRanks final : public SolverOnRanks,
     coarser_load_ = reached_ ? load_ : std::numeric_limits<double>::quiet_NaN();
     last_reaction_ = reached_ ? state_now().reaction : 0.0;
   }
+
+  [[nodiscard]] std::vector<Index> nodes_of_levels() const override {
+    std::vector<Index> nodes;
+    for (const auto& a : arrays_) nodes.push_back(static_cast<Index>(objects_of(a->rest.contents()).runs().size()));
+    return nodes;
+  }
+  [[nodiscard]] std::vector<Point> positions_of(std::size_t level, std::span<const Index> nodes) const override {
+    return of_named<3>(arrays_.at(level)->positions, nodes, position);
+  }
+  [[nodiscard]] std::vector<Point> forces_of(std::size_t level, std::span<const Index> nodes) const override {
+    return of_named<3>(arrays_.at(level)->forces, nodes, force);
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_of(std::span<const Index> tets) const override {
+    return of_named<9>(stresses_of_tets, tets, stress);
+  }
+  void compute_forces(std::size_t level) override { (void)evaluate_now(level, load_); }
+  [[nodiscard]] std::optional<std::vector<PlaneContact>> coarser_contacts() override {
+    if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
+    return plane_contacts_of(1);
+  }
+  void compute_stresses() override { Nested::evaluate_stresses(load_, stresses_of_tets); }
 
   [[nodiscard]] PartOfMesh part() const override {
     return part_of(objects_of(arrays_.front()->positions), objects_of(stresses_of_tets));
@@ -142,6 +167,10 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   }
 
  private:
+  static constexpr auto position = [](const auto& node, int k) -> double { return node.x()[k]; };
+  static constexpr auto force = [](const auto& node, int k) -> double { return node.f()[k]; };
+  static constexpr auto stress = [](const auto& tet, int k) -> double { return tet.P()[k]; };
+
   bool is_first_, has_planes_ = false;
   // Of all nodes of each mesh, as WholeBody has them.
   std::vector<std::vector<std::uint8_t>> fixed_;
@@ -151,17 +180,22 @@ class QuasistaticOnRanks final : public SolverOnRanks,
   [[nodiscard]] const LocalSet& objects_of(const Array& array) const {
     return finest->arrays.objects_of(array);
   }
-  [[nodiscard]] std::vector<Point> positions_of(std::size_t level) const {
-    return of_all_ranks<3>(arrays_[level]->positions, [](const auto& node, int k) -> double { return node.x()[k]; });
+  [[nodiscard]] std::vector<Point> all_positions(std::size_t level) const {
+    return of_all_ranks<3>(arrays_[level]->positions, position);
   }
-  [[nodiscard]] std::vector<Point> forces_of(std::size_t level) {
-    (void)evaluate_now(level, load_);
-    return of_all_ranks<3>(arrays_[level]->forces, [](const auto& node, int k) -> double { return node.f()[k]; });
+  [[nodiscard]] std::vector<Point> all_forces(std::size_t level) const {
+    return of_all_ranks<3>(arrays_[level]->forces, force);
   }
   template <std::size_t kCount, class Array, class Element>
   [[nodiscard]] std::vector<std::array<double, kCount>> of_all_ranks(const Array& array, const Element& element) const {
     on->wait();
     return fem::of_all_ranks<kCount>(finest->arrays, array, element);
+  }
+  template <std::size_t kCount, class Array, class Element>
+  [[nodiscard]] std::vector<std::array<double, kCount>> of_named(const Array& array, std::span<const Index> named,
+                                                                 const Element& element) const {
+    on->wait();
+    return named_of_ranks<kCount>(finest->arrays, array, named, element);
   }
 };
 

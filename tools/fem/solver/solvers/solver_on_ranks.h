@@ -6,6 +6,10 @@
 #include <fem/solver/quasistatic.h>
 #include <physgen/distributed/transport.h>
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +31,22 @@ class RankReport {
 
   [[nodiscard]] virtual PartOfMesh part() const = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of this rank, as EquilibriumSolver::bytes()
+
+  /// How many nodes the levels have on which equilibrium is solved, finest first.
+  [[nodiscard]] virtual std::vector<Index> nodes_of_levels() const = 0;
+  /// What the solver hands out of some nodes or tets, such as those of a window, in the order in which they are named:
+  /// positions [m] and forces [N] of nodes of these levels, and stresses [Pa] of tets of the finest mesh. Forces and
+  /// stresses are those that were computed last.
+  /// @throw Error when there is no such level, node or tet
+  [[nodiscard]] virtual std::vector<Point> positions_of(std::size_t level, std::span<const Index> nodes) const = 0;
+  [[nodiscard]] virtual std::vector<Point> forces_of(std::size_t level, std::span<const Index> nodes) const = 0;
+  [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses_of(std::span<const Index> tets) const = 0;
+  /// Computes forces of a level, or stresses, at the positions as they are.
+  virtual void compute_forces(std::size_t level) = 0;
+  virtual void compute_stresses() = 0;
+  /// The contact of planes with the next coarser mesh, where EquilibriumSolver::coarser_equilibrium() has found one.
+  [[nodiscard]] virtual std::optional<std::vector<PlaneContact>> coarser_contacts() { return std::nullopt; }
+
   /// What has crossed so far, seen from this rank.
   [[nodiscard]] virtual Traffic traffic() const = 0;
   /// By what it crosses: "MPI", or on CUDA as DistributedExecutor's transport_name() says.
