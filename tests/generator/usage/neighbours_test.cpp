@@ -129,12 +129,12 @@ TEST(UsageOfNeighbours, in_a_group_that_writes_them_is_a_race_in_either_order_an
   };
   const std::string copy = "Copy{a.from.view(), a.between.view()}", shift = "Shift{a.between.view(), a.to.view()}",
                     sum = "AddToNext{a.from.view(), a.sums.view()}", of_sums = "Copy{a.sums.view(), a.to.view()}";
-  const Fields expected = {"neighbours::Copy 40, neighbours::Shift 54: between.volume"};
+  const Fields expected = {"neighbours::Copy 44, neighbours::Shift 58: between.volume"};
   EXPECT_EQ(races(copy + ", " + shift, Side::host), expected);
   EXPECT_EQ(races(sum + ", " + of_sums, Side::host),
-            Fields{"neighbours::AddToNext 68, neighbours::Copy 40: sums.volume"});
+            Fields{"neighbours::AddToNext 72, neighbours::Copy 44: sums.volume"});
   EXPECT_EQ(races(copy + ", NextPack{a.between.view(), a.to.view()}", Side::host),
-            Fields{"neighbours::Copy 40, neighbours::NextPack 88: between.volume"});
+            Fields{"neighbours::Copy 44, neighbours::NextPack 92: between.volume"});
   EXPECT_EQ(races(copy + ", OfPart{a.between.view(), a.to.view()}", Side::host).size(), 1U);
   if (!has_device_side()) GTEST_SKIP() << "there is no CUDA toolkit";
   EXPECT_EQ(races(shift + ", " + copy, Side::device), expected);
