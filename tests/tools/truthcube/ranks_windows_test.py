@@ -22,6 +22,8 @@ def windows_far_smaller_than_the_mesh_write_the_files_of_one_window():
         assert "estimated from half as many cells" in text, text
         assert without_times(done(0, *command(count, *words, *window, *both, str(found)))) == printed
         expect_same(wanted, found)
+        if count < 3:
+            continue
         again = FOLDER / f"{output}_{count}_again"
         done(0, *command(count, *words, *window, *first, str(again)))
         done(0, *command(count, *words, *window, *both, str(again), "--restart"))
