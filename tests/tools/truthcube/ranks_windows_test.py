@@ -22,6 +22,8 @@ def windows_far_smaller_than_the_mesh_write_the_files_of_one_window():
         assert "estimated from half as many cells" in text, text
         assert without_times(done(0, *command(count, *words, *window, *both, str(found)))) == printed
         expect_same(wanted, found)
+        if count < 3:
+            continue
         again = FOLDER / f"{output}_{count}_again"
         done(0, *command(count, *words, *window, *first, str(again)))
         done(0, *command(count, *words, *window, *both, str(again), "--restart"))
@@ -59,7 +61,7 @@ def the_tet_that_is_deformed_most_is_found_by_windows():
     """Of a motion, whose smallest J is that of this tet, and of one whose tets are inverted, or not finite, which is said with its number."""
     scene = ("--scene", "explicit-dynamics", "--cells", "8", "--frames", "2")
     for name, status, flags in (("moved", 0, ("--duration", "0.004", "--compress", "0.05")),
-                                ("not_finite", 3, ("--duration", "0.4", "--compress", "0.9", "--time-step", "2e-4", "--young", "3e4"))):
+                                ("not_finite", 3, ("--duration", "0.4", "--compress", "0.9", "--time-step", "1.7e-4", "--young", "3e4"))):
         results = []
         for count, window in ((1, ()), (2, SMALL)):
             out = FOLDER / f"{name}_{count}"
