@@ -32,6 +32,11 @@ def without_times(output):
     return [re.sub(r" *\d+\.\d+ (s|MB)\b|\d+ bytes per node", "", line) for line in lines]
 
 
+def said(output):
+    """What is printed but for times, in lines of states, too, which end with the seconds that they took."""
+    return [re.sub(r"^( +\S+ +0\.\d{5}( +\S+){7}) +\d+\.\d{3}\b", r"\1", line) for line in without_times(output)]
+
+
 def record(folder):
     """run.json without times, and what of it tells of ranks."""
     run_json = json.loads((folder / "run.json").read_text())

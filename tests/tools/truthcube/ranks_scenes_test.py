@@ -7,17 +7,12 @@ import signal
 import subprocess
 import time
 
-from ranks_runs import FOLDER, MPIRUN, TRUTHCUBE, done, expect_same, record, run_and_remove, without_times
+from ranks_runs import FOLDER, MPIRUN, TRUTHCUBE, done, expect_same, record, run_and_remove, said
 from ranks import ENVIRONMENT, run  # behind ranks_runs, which says where it is
 
 
 def command(count, *words):
     return [MPIRUN, "--oversubscribe", "-n", str(count), TRUTHCUBE, *words] if count > 1 else [TRUTHCUBE, *words]
-
-
-def said(output):
-    """What is printed but for times, in lines of states, too, which end with the seconds that they took."""
-    return [re.sub(r"^( +\S+ +0\.\d{5}( +\S+){7}) +\d+\.\d{3}\b", r"\1", line) for line in without_times(output)]
 
 
 def compare(name, files, cases):

@@ -3,7 +3,7 @@ import json
 
 from case_bodies import Box
 from ranks_bodies import case_record, shuffled
-from ranks_runs import FOLDER, MPIRUN, SCENE, TRUTHCUBE, command, done, expect_same, run_and_remove, without_times
+from ranks_runs import FOLDER, MPIRUN, SCENE, TRUTHCUBE, command, done, expect_same, run_and_remove, said, without_times
 from ranks import run  # behind ranks_runs, which says where it is
 
 # 1171 nodes or 292 tets at once; then a node or a tet.
@@ -67,7 +67,7 @@ def the_tet_that_is_deformed_most_is_found_by_windows():
             out = FOLDER / f"{name}_{count}"
             found, output, errors = run(MPIRUN, "--oversubscribe", "-n", str(count), TRUTHCUBE, *scene, *flags, *window, "--out", str(out))
             assert found == status, (found, output, errors)
-            results.append((without_times(output), errors.splitlines()[:1]))
+            results.append((said(output), errors.splitlines()[:1]))
             if status == 0:
                 expect_same(FOLDER / f"{name}_1", out, ("cube.vtkhdf", "beads.csv"))
         assert results[0] == results[1], results
