@@ -16,7 +16,6 @@
 #include "usage/unknown.h"
 
 namespace physgen::usage {
-
 using clang::FunctionDecl;
 
 class Walk {
@@ -238,9 +237,8 @@ class Walk::Body : public InOrder<Walk::Body> {
   void index_of(clang::QualType type) {
     if (type.isNull() || !is_users_) return;
     const auto* record = type->getAsCXXRecordDecl();
-    if (Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack") ||
-        Names::is_physgen(record, "Own"))
-      walk_.graph_.functions[index()].makes_index = true;
+    for (const char* name : {"Pack", "PartialPack", "Own"})
+      if (Names::is_physgen(record, name)) walk_.graph_.functions[index()].makes_index = true;
   }
   /// One that lives as long as the program is made by whoever names it.
   void variable(const clang::ValueDecl& named, clang::SourceLocation location) {

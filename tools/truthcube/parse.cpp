@@ -63,8 +63,7 @@ void check(const Options& options) {
   const double nu = options.solver.poissons_ratio;
   require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio must be above -1 and below 0.5");
   const double young = options.solver.youngs_modulus;
-  require(young > 0 && std::isfinite(young),
-          "--young " + number(young) + ": Young's modulus must be a positive number");
+  require(young > 0 && std::isfinite(young), "--young " + number(young) + ": Young's modulus must be positive");
   const double tolerance = options.solver.newton.tolerance;
   require(tolerance >= 1e-14 && tolerance <= 0.1,
           "--tolerance " + number(tolerance) + ": the residual's tolerance must be a number from 1e-14 to 0.1");

@@ -80,7 +80,7 @@ case $rule in
     expect_exit 1 --cells 4 --young 1e30 --compress 0.1 --out o
     expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m is out of range for float: take double precision"
     expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
-    expect_refused "--young 0: Young's modulus must be a positive number" --young 0
+    expect_refused "--young 0: Young's modulus must be positive" --young 0
     expect_refused '--compress .* between 0 and 1, .*; 1 is not such a number' --compress 1
     expect_refused '--compress .*; at 0 the body is at rest .*; begin with a larger number' --compress 0
     expect_refused '--compress .*; at 0 the body is at rest' --compress 0 0.05
