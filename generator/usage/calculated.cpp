@@ -89,7 +89,8 @@ class Number {
       return is_calculated(either->getTrueExpr()) || is_calculated(either->getFalseExpr());
     if (const auto* both = llvm::dyn_cast<clang::BinaryOperator>(expression)) {  // code >> 2 is a packed number
       const bool is_window = both->getOpcode() == clang::BO_Sub && is_begin(both->getRHS());
-      return (!is_window && (both->isAdditiveOp() || both->isMultiplicativeOp())) || is_calculated(both->getLHS());
+      const bool unpacks = both->getOpcode() == clang::BO_Shr || both->getOpcode() == clang::BO_And;
+      return !(is_window || unpacks) || is_calculated(both->getLHS());
     }
     if (const auto* one = llvm::dyn_cast<clang::UnaryOperator>(expression))
       return one->isArithmeticOp() || one->isIncrementDecrementOp();
@@ -129,6 +130,9 @@ class Number {
         case clang::OO_Star:  // or what a pointer or an iterator leads to
         case clang::OO_Slash:
         case clang::OO_Percent:
+        case clang::OO_Caret:
+        case clang::OO_Pipe:
+        case clang::OO_LessLess:
           return call.getNumArgs() == 2;
         case clang::OO_Minus:
           return call.getNumArgs() == 2 && (any(1) || !is_begin(call.getArg(1)));

@@ -164,7 +164,7 @@ OfPartAndNext(From, To) -> OfPartAndNext<From, To>;
 
 template <class Number>
 PHYSGEN_FUNCTION Number behind(Number number) {
-  return number + 1;
+  return number ^ 1;
 }
 template <class Number>
 PHYSGEN_FUNCTION Number unpacked(const Number& packed) {
